@@ -1,0 +1,32 @@
+// Loading: from a scene file to everything a run starts from; used by run, resume and check.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scheduler/fill.h"
+#include "scheduler/setup.h"
+
+namespace quern {
+
+// The user's input has mistakes; each line is complete. Exit code 2.
+struct InputErrors {
+  std::vector<std::string> lines;
+};
+
+struct LoadedScene {
+  Scene scene;
+  std::vector<std::vector<Triangle>> meshes;
+  std::vector<ParticleSeed> seeds;  // drawn, not placed
+  double dt = 0;                    // s
+};
+
+// Reads the scene and its meshes and draws the particles. Prints warnings; throws InputErrors.
+LoadedScene load_scene(const std::string& path, const std::vector<std::string>& overrides);
+LoadedScene load_scene_text(const std::string& text, const std::string& name,
+                            const std::string& folder);
+
+// Refuses a step with fewer than kRefusedSteps per contact, warns below kWarnedSteps.
+void judge_time_step(const LoadedScene& loaded);
+
+}  // namespace quern

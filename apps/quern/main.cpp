@@ -1,0 +1,83 @@
+// The command line of quern: run, resume, check, info.
+//
+// Exit codes: 0 fine, 1 a defect of ours, 2 the user's input, 3 the system (disk, files), 4 the run
+// went wrong (and left a checkpoint).
+#include <CLI/CLI.hpp>
+
+#include "apps/quern/check.h"
+#include "apps/quern/info.h"
+#include "apps/quern/load.h"
+#include "apps/quern/run.h"
+#include "io/log.h"
+
+namespace {
+
+int dispatch(int argc, char** argv) {
+  CLI::App app{"quern: discrete-element simulation of grinding mills"};
+  app.require_subcommand(1);
+  app.set_version_flag("--version", QUERN_VERSION " " QUERN_COMMIT);
+  quern::RunOptions options;
+  double until = 0;
+
+  CLI::App* run = app.add_subcommand("run", "run a scene");
+  run->add_option("scene", options.scene, "SCENE.toml")->required();
+  run->add_option("--out", options.out, "folder for the results")->default_str("out/<scene>");
+  run->add_option("--threads", options.threads, "number of threads (0: all)")
+      ->check(CLI::Range(0, 4096));
+  CLI::Option* run_until = run->add_option("--until", until, "stop at this mill time, s");
+  run->add_option("--set", options.overrides, "key=value, replaces a value of the scene")
+      ->take_all();
+
+  CLI::App* resume = app.add_subcommand("resume", "go on with a run from its checkpoint");
+  resume->add_option("folder", options.out, "folder of the run")->required();
+  resume->add_option("--threads", options.threads, "number of threads (0: all)")
+      ->check(CLI::Range(0, 4096));
+  CLI::Option* resume_until = resume->add_option("--until", until, "stop at this mill time, s");
+
+  CLI::App* check = app.add_subcommand("check", "validate a scene and say what it will cost");
+  check->add_option("scene", options.scene, "SCENE.toml")->required();
+  check->add_option("--threads", options.threads, "number of threads (0: all)")
+      ->check(CLI::Range(0, 4096));
+  check->add_option("--set", options.overrides, "key=value, replaces a value of the scene")
+      ->take_all();
+
+  CLI::App* info = app.add_subcommand("info", "laws, pair types, fields, tallies, SIMD targets");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const int code = app.exit(error);
+    return code == 0 ? 0 : 2;
+  }
+  if (run_until->count() + resume_until->count() > 0) options.until = until;
+  if (run->parsed()) {
+    if (options.out.empty()) {
+      options.out = "out/" + std::filesystem::path(options.scene).stem().string();
+    }
+    return quern::run_command(options);
+  }
+  if (resume->parsed()) return quern::resume_command(options);
+  if (check->parsed()) return quern::check_command(options);
+  if (info->parsed()) return quern::info_command();
+  return 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return dispatch(argc, argv);
+  } catch (const quern::InputErrors& errors) {
+    for (const std::string& line : errors.lines) std::fprintf(stderr, "%s\n", line.c_str());
+    return 2;
+  } catch (const quern::UserError& error) {
+    quern::log_error(error.what());
+    return 2;
+  } catch (const quern::SystemError& error) {
+    quern::log_error(error.what());
+    return 3;
+  } catch (const std::exception& error) {
+    quern::log_error(error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,212 @@
+#include "apps/quern/recorder.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+#include "io/scene_reader.h"
+#include "io/statistics.h"
+#include "scheduler/phases.h"
+#include "scheduler/snapshot.h"
+#include "soa/hash.h"
+
+namespace quern {
+
+namespace {
+
+std::vector<Quantity> series_quantities(const std::vector<Wall>& walls) {
+  std::vector<Quantity> all;
+  for (const TallyRow& row : tally_rows()) all.push_back(row.quantity);
+  for (const Wall& wall : walls) {
+    for (const char* axis : {"x", "y", "z"}) {
+      all.push_back({fmt::format("walls/{}/force_{}", wall.name, axis), "N",
+                     "of the charge on the wall, last step"});
+    }
+    for (const char* axis : {"x", "y", "z"}) {
+      all.push_back({fmt::format("walls/{}/torque_{}", wall.name, axis), "N m",
+                     "of the charge on the wall about its motion's centre, last step"});
+    }
+    all.push_back({fmt::format("walls/{}/power", wall.name), "W",
+                   "work of the wall on the charge per time, last step"});
+  }
+  return all;
+}
+
+template <class Real>
+TallyInput tally_input(const World<Real>& world) {
+  TallyInput in;
+  in.time = world.time();
+  in.mass = world.total_mass;
+  in.particles = static_cast<double>(world.particles.size());
+  in.gravity = world.gravity;
+  in.window = &world.window;
+  in.totals = &world.totals;
+  in.ledger = &world.ledger;
+  return in;
+}
+
+std::uint64_t steps_in(double time, double dt) {
+  return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(time / dt)));
+}
+
+double run_duration(const Scene& scene, double dt) {
+  return static_cast<double>(plan_phases(scene, dt, 1, 1, 1).back().steps) * dt;
+}
+
+double time_of_revolution(Scene scene, double revolutions) {
+  scene.run.duration.reset();
+  scene.run.revolutions = revolutions;
+  constexpr double kFine = 1e-9;
+  return run_duration(scene, kFine);
+}
+
+std::string host_name() {
+  char name[256] = "unknown";
+  gethostname(name, sizeof name - 1);
+  return name;
+}
+
+}  // namespace
+
+double record_start(const Scene& scene) {
+  if (scene.run.record_from) return *scene.run.record_from;
+  if (scene.run.record_from_revolution) {
+    return time_of_revolution(scene, *scene.run.record_from_revolution);
+  }
+  return 0;
+}
+
+std::uint64_t peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
+
+Recorder::Recorder(const std::string& folder, const Scene& scene, double dt,
+                   const std::vector<Wall>& walls, std::optional<double> resumed_at)
+    : folder_(folder),
+      scene_(scene),
+      record_from_(record_start(scene)),
+      series_(folder + "/run.h5", series_quantities(walls),
+              resumed_at ? SeriesMode::kAppend : SeriesMode::kNew) {
+  const double every = scene.output.series_every > 0 ? scene.output.series_every
+                                                     : run_duration(scene, dt) / 1000;
+  series_steps_ = steps_in(every, dt);
+  if (scene.output.frames_every > 0) {
+    frame_steps_ = steps_in(scene.output.frames_every, dt);
+    frames_.emplace(folder + "/frames");
+  }
+  if (resumed_at) {
+    series_.truncate_after(*resumed_at + 0.5 * dt);
+  } else {
+    series_.text("scene", scene_to_toml(scene));
+    series_.provenance("version", QUERN_VERSION);
+    series_.provenance("commit", QUERN_COMMIT);
+    series_.provenance("machine", host_name());
+  }
+}
+
+template <class Real>
+void Recorder::after_step(World<Real>& world) {
+  const std::uint64_t step = world.clock.step;
+  if (step % series_steps_ == 0) {
+    const TallyInput in = tally_input(world);
+    std::vector<double> row;
+    for (const TallyRow& tally : tally_rows()) row.push_back(tally.value(in));
+    for (const WallTotal& wall : world.wall_totals) {
+      row.insert(row.end(), wall.force.begin(), wall.force.end());
+      row.insert(row.end(), wall.torque.begin(), wall.torque.end());
+      row.push_back(wall.work / world.clock.dt);
+    }
+    series_.append(row);
+    const double steps = std::max(world.window.steps, 1.0);
+    last_power_ = world.window.power / steps;
+    world.window = Window();
+  }
+  if (frame_steps_ > 0 && step % frame_steps_ == 0) {
+    frames_->write(static_cast<int>(step / frame_steps_), particle_frame(world),
+                   wall_frame(world));
+  }
+}
+
+template <class Real>
+void Recorder::write_summary(World<Real>& world, const RunFigures& figures) {
+  Summary s;
+  const double n = static_cast<double>(world.particles.size());
+  const std::vector<double> time = series_.read("time");
+  const auto first = static_cast<std::size_t>(
+      std::upper_bound(time.begin(), time.end(), record_from_ + 1e-9) - time.begin());
+  const auto recorded = [&](const char* name) {
+    const std::vector<double> all = series_.read(name);
+    return block_mean(std::span(all).subspan(std::min(first, all.size())));
+  };
+  s.set("particles", world.particles.size());
+  s.set("steps", world.clock.step);
+  s.set("time_s", world.time());
+  s.set("finished", figures.finished);
+  s.set("wall_s", figures.wall_seconds);
+  s.set("particle_steps_per_s", figures.step_seconds > 0 ? n * static_cast<double>(figures.run_steps) /
+                                                               figures.step_seconds
+                                                         : 0.0);
+  s.set("recorded_from_s", record_from_);
+  s.set("recorded_samples", time.size() - std::min(first, time.size()));
+  recorded_power_ = recorded("power").mean;
+  s.set_mean("power_W", recorded("power"));
+  s.set_mean("torque_Nm", recorded("torque"));
+  s.set_mean("kinetic_energy_J", recorded("kinetic_energy"));
+  s.set_mean("rotational_energy_J", recorded("rotational_energy"));
+  s.set_mean("elastic_energy_J", recorded("elastic_energy"));
+  s.set_mean("potential_energy_J", recorded("potential_energy"));
+  s.set_mean("contacts_per_particle", recorded("contacts_per_particle"));
+  for (const char* axis : {"x", "y", "z"}) {
+    s.set_mean(fmt::format("center_of_mass_{}_m", axis),
+               recorded(fmt::format("center_of_mass_{}", axis).c_str()));
+  }
+  s.set_array("center_of_mass_m", {recorded("center_of_mass_x").mean,
+                                   recorded("center_of_mass_y").mean,
+                                   recorded("center_of_mass_z").mean});
+  const Ledger& l = world.ledger;
+  s.set("wall_work_J", l.wall_work);
+  s.set("gravity_work_J", l.gravity_work);
+  s.set("dissipation_J", l.dissipated());
+  s.set("dissipation_normal_J", l.normal_damping());
+  s.set("dissipation_sliding_J", l.slide);
+  s.set("dissipation_tangential_J", l.tangential_damping);
+  s.set("stored_energy_change_J", l.kinetic + l.elastic - l.start_kinetic - l.start_elastic);
+  s.set("ledger_error", ledger_error(l));
+  s.set("numerical_loss", numerical_loss_share(l));
+  s.set("overlap_warnings", figures.warnings);
+  s.set("rebuilds", world.clock.rebuilds);
+  s.set("list_slack_m", world.slack);
+  s.set("listed_pairs_per_particle", static_cast<double>(world.pairs.i.size()) / n);
+  s.set("total_mass_kg", world.total_mass);
+  s.set("state_hash", fmt::format("{:016x}", state_hash(world)));
+  s.set("peak_memory_B", peak_memory());
+  s.set("threads", figures.threads);
+  s.set("simd_target", figures.simd_target);
+  s.set("precision", scene_.run.precision == Precision::kDouble ? "double" : "mixed");
+  s.set("seed", scene_.run.seed);
+  s.set("version", QUERN_VERSION);
+  s.set("commit", QUERN_COMMIT);
+  s.write(folder_ + "/summary.json");
+  const ParticleFrame f = particle_frame(world);
+  const std::vector<TableColumn> columns = {
+      table_column<double>({"position", "m", "centre"}, f.position, 3),
+      table_column<float>({"velocity", "m/s", "half-step velocity"}, f.velocity, 3),
+      table_column<float>({"spin", "rad/s", "half-step spin"}, f.spin, 3),
+      table_column<float>({"radius", "m", "radius"}, f.radius),
+      table_column<std::uint32_t>({"id", "1", "identity"}, f.id),
+      table_column<std::uint16_t>({"species", "1", "row of [[particles]]"}, f.species),
+      table_column<std::uint16_t>({"contacts", "1", "touching partners, walls included"}, f.contacts)};
+  series_.write_table("final_particles", columns);
+}
+
+template void Recorder::after_step(World<float>&);
+template void Recorder::after_step(World<double>&);
+template void Recorder::write_summary(World<float>&, const RunFigures&);
+template void Recorder::write_summary(World<double>&, const RunFigures&);
+
+}  // namespace quern

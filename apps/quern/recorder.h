@@ -1,0 +1,58 @@
+// Recorder: everything a run leaves in its folder while and after it runs.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/frames.h"
+#include "io/series.h"
+#include "io/summary.h"
+#include "kernels/tally.h"
+#include "soa/world.h"
+
+namespace quern {
+
+struct RunFigures {  // of the program, not of the charge
+  double wall_seconds = 0;       // all of this process
+  double step_seconds = 0;       // inside steps of the run phase
+  std::uint64_t run_steps = 0;   // of the run phase, by this process
+  double warnings = 0;           // contacts deeper than half a radius, summed over steps
+  int threads = 1;
+  std::string simd_target;
+  bool finished = false;
+};
+
+class Recorder {
+ public:
+  // `resumed_at`: time of the checkpoint a resumed run continues from.
+  Recorder(const std::string& folder, const Scene& scene, double dt, const std::vector<Wall>& walls,
+           std::optional<double> resumed_at);
+
+  // After a step of the run phase: writes the series row and the frame that are due.
+  template <class Real>
+  void after_step(World<Real>& world);
+
+  template <class Real>
+  void write_summary(World<Real>& world, const RunFigures& figures);
+
+  double last_power() const { return last_power_; }
+  double recorded_power() const { return recorded_power_; }  // after write_summary()
+
+ private:
+  std::string folder_;
+  Scene scene_;
+  double record_from_ = 0;
+  std::uint64_t series_steps_ = 1, frame_steps_ = 0;
+  SeriesWriter series_;
+  std::optional<FrameWriter> frames_;
+  double last_power_ = 0, recorded_power_ = 0;
+};
+
+// Start of the recorded window, s.
+double record_start(const Scene& scene);
+
+// Peak resident memory of this process in bytes.
+std::uint64_t peak_memory();
+
+}  // namespace quern

@@ -1,0 +1,300 @@
+// A run from the scene to its summary: phases of settling, then the mill. All state is in the World;
+// this file decides when to record, to checkpoint and to stop.
+#include "apps/quern/run.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "apps/quern/load.h"
+#include "apps/quern/recorder.h"
+#include "io/checkpoint.h"
+#include "io/log.h"
+#include "io/scene_reader.h"
+#include "scheduler/phases.h"
+#include "scheduler/rain.h"
+#include "scheduler/step.h"
+
+namespace quern {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+volatile std::sig_atomic_t g_signal = 0;
+
+void on_signal(int signal) {
+  g_signal = signal;
+  std::signal(signal, SIG_DFL);  // a second one ends at once
+}
+
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+template <class Real>
+class Run {
+ public:
+  Run(LoadedScene loaded, const RunOptions& options, const std::string& checkpoint)
+      : loaded_(std::move(loaded)), options_(options), started_(now()) {
+    const Scene& scene = loaded_.scene;
+    SceneGeometry geometry = build_geometry(scene, loaded_.meshes, loaded_.seeds);
+    double depth = (geometry.high - geometry.low).norm();
+    std::vector<ParticleSeed> first = loaded_.seeds;
+    const bool fills = checkpoint.empty() && scene.run.start == StartKind::kFill;
+    if (fills) {
+      const std::vector<const Facets*> walls = geometry.facets();
+      const FillReport fill = place_particles(scene, walls, loaded_.seeds);
+      first = loaded_.seeds;
+      log_info(fmt::format("placed {} particles in {:.1f} s, solid fraction {:.3f}", first.size(),
+                           fill.seconds, fill.fraction));
+      for (const std::string& line : check_overlaps(scene, walls, first)) log_warn(line);
+      depth = std::max(fill.high.maxCoeff() - fill.low.minCoeff(), 0.0);
+    }
+    world_ = make_world<Real>(scene, std::move(geometry), first);
+    if (!fills) {
+      const std::string from = checkpoint.empty() ? start_path(scene) : checkpoint;
+      read_checkpoint(from, [&](StateVisitor& v) { world_.visit(v); });
+      count_mass();
+      if (checkpoint.empty()) restart_clock();
+    }
+    double smallest = 1e300;
+    for (const ParticleSeed& p : loaded_.seeds) smallest = std::min(smallest, p.radius);
+    plan_ = plan_phases(scene, loaded_.dt, depth, world_.total_mass, smallest);
+    stepper_ = std::make_unique<Stepper<Real>>(world_, options.threads);
+    const bool resumed = !checkpoint.empty();
+    const bool in_run = resumed && world_.clock.phase + 1 == plan_.size();
+    recorder_ = std::make_unique<Recorder>(
+        options.out, scene, loaded_.dt, world_.walls,
+        in_run ? std::optional<double>(static_cast<double>(world_.clock.step) * world_.clock.dt)
+               : std::nullopt);
+  }
+
+  int go() {
+    std::signal(SIGINT, on_signal);
+    std::signal(SIGTERM, on_signal);
+    last_checkpoint_ = now();
+    bool fine = true;
+    for (std::size_t row = world_.clock.phase; row < plan_.size() && fine; ++row) {
+      enter_phase(world_, loaded_.scene, plan_, row);
+      const bool run = row + 1 == plan_.size();
+      if (run && row > 0 && world_.clock.step == 0) save(options_.out + "/settled");
+      if (world_.clock.step == 0) save(options_.out);
+      fine = run_phase(plan_[row]);
+      if (g_signal != 0 || stopped_) break;
+    }
+    if (fine) save(options_.out);
+    return finish(fine);
+  }
+
+ private:
+  static std::string start_path(const Scene& scene) {
+    const fs::path path = fs::path(scene.folder) / scene.run.start_file;
+    return fs::is_directory(path) ? usable_checkpoint(path.string()) : path.string();
+  }
+
+  void count_mass() {
+    world_.total_mass = 0;
+    for (const Real inverse : world_.particles.inverse_mass) {
+      world_.total_mass += 1 / static_cast<double>(inverse);
+    }
+  }
+
+  // Another run's state becomes this run's start: its clock and account begin anew.
+  void restart_clock() {
+    world_.clock.step = 0;
+    world_.clock.phase = 0;
+    world_.clock.dt = loaded_.dt;
+    world_.clock.list_stale = 1;
+    world_.ledger = Ledger();
+    world_.window = Window();
+  }
+
+  bool run_phase(const PhasePlan& phase) {
+    const bool run = phase.kind == Phase::kRun;
+    Progress progress;
+    const double phase_started = now();
+    const std::uint64_t first_step = world_.clock.step;
+    while (!phase_is_over(world_, phase)) {
+      if (run && options_.until && world_.time() >= *options_.until - 0.5 * phase.dt) {
+        stopped_ = true;
+        break;
+      }
+      const double before = now();
+      const StepReport report = stepper_->step();
+      if (run) {
+        figures_.step_seconds += now() - before;
+        ++figures_.run_steps;
+      }
+      figures_.warnings += static_cast<double>(report.warnings);
+      if ((report.bits & kFatalBits) != 0) {
+        fail(report, phase);
+        return false;
+      }
+      if (run) recorder_->after_step(world_);
+      if (g_signal != 0) break;
+      if (world_.clock.step % 32 != 0) continue;
+      if (progress.due()) progress.show(line(phase, phase_started, first_step));
+      if (now() - last_checkpoint_ > loaded_.scene.output.checkpoint_every) save(options_.out);
+    }
+    if (now() - phase_started > 0.5) progress.finish(line(phase, phase_started, first_step));
+    return true;
+  }
+
+  ProgressLine line(const PhasePlan& phase, double phase_started, std::uint64_t first_step) const {
+    ProgressLine p;
+    const bool run = phase.kind == Phase::kRun;
+    p.settling = !run;
+    p.time = static_cast<double>(world_.clock.step) * phase.dt;
+    double until = static_cast<double>(phase.steps) * phase.dt;
+    if (run && options_.until) until = std::min(until, *options_.until);
+    p.until = until;
+    const double taken = now() - phase_started;
+    const double steps = static_cast<double>(world_.clock.step - first_step);
+    const double n = static_cast<double>(world_.particles.size());
+    p.rate = taken > 0 ? n * steps / taken : 0;
+    p.contacts = world_.totals.pair_contacts + world_.totals.wall_contacts;
+    p.max_overlap = world_.totals.max_overlap;
+    if (run) {
+      if (loaded_.scene.mill) {
+        p.revolutions = schedule_integral(loaded_.scene.mill->rotation, p.time) / (2 * kPi);
+      }
+      p.power = recorder_->last_power();
+      p.energy_error = ledger_error(world_.ledger);
+    }
+    p.elapsed = now() - started_;
+    if (steps > 0) p.eta = taken / steps * (until / phase.dt - static_cast<double>(world_.clock.step));
+    p.checkpoint_age = now() - last_checkpoint_;
+    return p;
+  }
+
+  void save(const std::string& folder) {
+    fs::create_directories(folder);
+    CheckpointHeader header;
+    header.scene_text = scene_to_toml(loaded_.scene);
+    header.scene_name = options_.scene;
+    header.simd_target = stepper_->target();
+    header.precision = loaded_.scene.run.precision == Precision::kDouble ? "double" : "mixed";
+    header.version = QUERN_VERSION;
+    header.time = world_.time();
+    header.step = world_.clock.step;
+    write_checkpoint(folder, header, [&](StateVisitor& v) { world_.visit(v); });
+    last_checkpoint_ = now();
+  }
+
+  void fail(const StepReport& report, const PhasePlan& phase) const {
+    const Offender& o = report.first;
+    std::string what;
+    if ((report.bits & kNotFinite) != 0) {
+      what = "a position or velocity is not finite";
+    } else if ((report.bits & kOutside) != 0) {
+      what = "a particle has left the domain";
+    } else {
+      what = fmt::format("an overlap reached {:.2f} of the smaller radius", report.max_overlap);
+    }
+    std::string partner;
+    if (o.partner != kNoIndex && o.partner_is_wall) {
+      partner = fmt::format(" against wall '{}'", world_.walls[o.partner].name);
+    } else if (o.partner != kNoIndex) {
+      partner = fmt::format(" against particle {}", o.partner);
+    }
+    log_error(fmt::format(
+        "{}: particle {} at ({:.6g}, {:.6g}, {:.6g}) m{}, {} t = {:.6g} s, step {}; the state "
+        "before is in {}/checkpoint.h5",
+        what, o.id, o.position[0], o.position[1], o.position[2], partner,
+        phase.kind == Phase::kRun ? "running at" : "settling at",
+        static_cast<double>(world_.clock.step) * phase.dt, world_.clock.step, options_.out));
+  }
+
+  int finish(bool fine) {
+    figures_.wall_seconds = now() - started_;
+    figures_.threads = stepper_->graph().threads();
+    figures_.simd_target = stepper_->target();
+    figures_.finished = fine && g_signal == 0 && !stopped_;
+    if (figures_.warnings > 0) {
+      log_warn(fmt::format("{:g} contacts were deeper than half the smaller radius (summed over steps)",
+                           figures_.warnings));
+    }
+    if (!fine) return 4;
+    recorder_->write_summary(world_, figures_);
+    if (g_signal != 0) {
+      log_info(fmt::format("stopped by signal {} at t = {:.6g} s; go on with: quern resume {}",
+                           static_cast<int>(g_signal), world_.time(), options_.out));
+      return 0;
+    }
+    const Ledger& l = world_.ledger;
+    log_info(fmt::format("power        {} (mean torque and errors in summary.json)",
+                         format_power(recorder_->recorded_power())));
+    log_info(fmt::format(
+        "energy       walls {:.4g} J + gravity {:.4g} J = dissipated {:.4g} J + stored {:.4g} J; "
+        "error {:.1e}, numerical loss {:.1e}",
+        l.wall_work, l.gravity_work, l.dissipated(),
+        l.kinetic + l.elastic - l.start_kinetic - l.start_elastic, ledger_error(l),
+        numerical_loss_share(l)));
+    if (figures_.step_seconds > 0) {
+      log_info(fmt::format("speed        {:.3g} particle steps per second, {} threads, {}",
+                           static_cast<double>(world_.particles.size()) *
+                               static_cast<double>(figures_.run_steps) / figures_.step_seconds,
+                           figures_.threads, figures_.simd_target));
+    }
+    const StageTimes& t = stepper_->times();
+    log_info(fmt::format("stages       rebuild {:.1f} s ({} times), tiles {:.1f} s, totals {:.1f} s",
+                         t.rebuild, world_.clock.rebuilds, t.tiles, t.totals));
+    log_info(fmt::format("results      {}", fs::absolute(options_.out).lexically_normal().string()));
+    return 0;
+  }
+
+  LoadedScene loaded_;
+  RunOptions options_;
+  double started_ = 0, last_checkpoint_ = 0;
+  World<Real> world_;
+  std::vector<PhasePlan> plan_;
+  std::unique_ptr<Stepper<Real>> stepper_;
+  std::unique_ptr<Recorder> recorder_;
+  RunFigures figures_;
+  bool stopped_ = false;
+};
+
+int start(LoadedScene loaded, const RunOptions& options, const std::string& checkpoint) {
+  if (loaded.scene.run.precision == Precision::kDouble) {
+    return Run<double>(std::move(loaded), options, checkpoint).go();
+  }
+  return Run<float>(std::move(loaded), options, checkpoint).go();
+}
+
+}  // namespace
+
+int run_command(const RunOptions& options) {
+  LoadedScene loaded = load_scene(options.scene, options.overrides);
+  judge_time_step(loaded);
+  std::error_code error;
+  fs::create_directories(options.out, error);
+  if (error) {
+    throw SystemError(fmt::format("cannot make folder '{}': {}", options.out, error.message()));
+  }
+  std::ofstream(options.out + "/scene.toml") << scene_to_toml(loaded.scene);
+  return start(std::move(loaded), options, "");
+}
+
+int resume_command(const RunOptions& options) {
+  std::string warning;
+  const std::string path = usable_checkpoint(options.out, &warning);
+  if (!warning.empty()) log_warn(warning);
+  const CheckpointHeader header = read_checkpoint_header(path);
+  LoadedScene loaded = load_scene_text(header.scene_text, path, options.out);
+  const std::string target = choose_kernels<float>().target;
+  if (header.simd_target != target) {
+    log_warn(fmt::format("the run was computed with {}, this machine has {}: its bits will differ",
+                         header.simd_target, target));
+  }
+  RunOptions with_scene = options;
+  with_scene.scene = header.scene_name;
+  return start(std::move(loaded), with_scene, path);
+}
+
+}  // namespace quern

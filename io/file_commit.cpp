@@ -1,0 +1,108 @@
+// Plain POSIX calls, because the standard library has no fsync and its streams hide the reason of
+// an error. Every call is checked: a disk may fill at write, at fsync and at close alike.
+#include "io/file_commit.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+#include "soa/base.h"
+
+namespace quern {
+namespace {
+
+[[noreturn]] void fail(const char* verb, const std::string& what, const std::string& path,
+                       const char* operation, int reason) {
+  throw SystemError(
+      fmt::format("cannot {} {} '{}': {}: {}", verb, what, path, operation, std::strerror(reason)));
+}
+
+class Descriptor {
+ public:
+  explicit Descriptor(int fd) : fd_(fd) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() { close(); }
+  int get() const { return fd_; }
+  int close() { return fd_ < 0 ? 0 : ::close(std::exchange(fd_, -1)); }
+
+ private:
+  int fd_;
+};
+
+}  // namespace
+
+PendingFile::PendingFile(std::string what, std::string path)
+    : what_(std::move(what)), path_(std::move(path)), temporary_(path_ + ".tmp") {}
+
+PendingFile::~PendingFile() {
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+void PendingFile::commit(Durability durability, const std::string& previous) {
+  const bool sync = durability == Durability::kPowerCut;
+  if (sync) sync_path(what_, temporary_);
+  if (!previous.empty() && std::filesystem::exists(path_)) rename_file(what_, path_, previous);
+  rename_file(what_, temporary_, path_);
+  temporary_.clear();
+  if (sync) sync_path(what_, folder_of(path_));
+}
+
+std::string folder_of(const std::string& path) {
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  return folder.empty() ? "." : folder;
+}
+
+void make_folder(const std::string& what, const std::string& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) fail("write", what, path, "make folder", error.value());
+}
+
+void rename_file(const std::string& what, const std::string& from, const std::string& to) {
+  if (std::rename(from.c_str(), to.c_str()) != 0) fail("write", what, to, "rename", errno);
+}
+
+void sync_path(const std::string& what, const std::string& path) {
+  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.get() < 0) fail("write", what, path, "open to sync", errno);
+  if (::fsync(file.get()) != 0) fail("write", what, path, "sync", errno);
+}
+
+void write_text_file(const std::string& what, const std::string& path, const std::string& text,
+                     Durability durability) {
+  PendingFile pending(what, path);
+  Descriptor file(
+      ::open(pending.temporary().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+  if (file.get() < 0) fail("write", what, path, "open", errno);
+  for (std::size_t done = 0; done < text.size();) {
+    const ssize_t n = ::write(file.get(), text.data() + done, text.size() - done);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) fail("write", what, path, "write", errno);
+    done += static_cast<std::size_t>(n);
+  }
+  if (file.close() != 0) fail("write", what, path, "close", errno);
+  pending.commit(durability);
+}
+
+std::string read_text_file(const std::string& what, const std::string& path) {
+  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.get() < 0) fail("read", what, path, "open", errno);
+  std::string text;
+  char buffer[65536];
+  for (;;) {
+    const ssize_t n = ::read(file.get(), buffer, sizeof buffer);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) fail("read", what, path, "read", errno);
+    if (n == 0) return text;
+    text.append(buffer, static_cast<std::size_t>(n));
+  }
+}
+
+}  // namespace quern

@@ -1,0 +1,179 @@
+// VTKHDF 1.0 by the letter of its specification; the arrays come from soa/output.h as they are.
+#include "io/frames.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <numeric>
+#include <span>
+
+#include "io/file_commit.h"
+#include "io/hdf5_file.h"
+
+namespace quern {
+namespace {
+
+constexpr const char* kWhat = "frame";
+constexpr std::uint8_t kVtkVertex = 1, kVtkTriangle = 5;
+
+class VtkFile {
+ public:
+  VtkFile(const std::string& path, double time)
+      : pending_(kWhat, path), file_(kWhat, pending_.temporary(), FileMode::kCreate) {
+    file_.make_group("VTKHDF");
+    const std::array<std::int64_t, 2> version = {1, 0};
+    file_.set_attribute("VTKHDF", "Version", version);
+    file_.set_attribute("VTKHDF", "Type", "UnstructuredGrid");
+    file_.set_attribute("/", "time", time);
+    file_.set_attribute("/", "time_unit", "s");
+  }
+
+  template <class T>
+  void array(const std::string& name, const std::vector<T>& values, const char* unit,
+             std::size_t components = 1) {
+    QUERN_CHECK(values.size() % components == 0);
+    const std::string path = "VTKHDF/" + name;
+    file_.write(path, {element_type_of<T>(), values.size() / components, components},
+                values.data());
+    file_.set_attribute(path, "unit", unit);
+  }
+
+  // Cells of `corners` points each.
+  void cells(std::uint8_t type, std::size_t points, const std::vector<std::int64_t>& connectivity,
+             std::int64_t corners) {
+    const std::size_t count = connectivity.size() / static_cast<std::size_t>(corners);
+    std::vector<std::int64_t> offsets(count + 1);
+    for (std::size_t i = 0; i <= count; ++i) offsets[i] = static_cast<std::int64_t>(i) * corners;
+    array("NumberOfPoints", std::vector<std::int64_t>{static_cast<std::int64_t>(points)}, "1");
+    array("NumberOfCells", std::vector<std::int64_t>{static_cast<std::int64_t>(count)}, "1");
+    array("NumberOfConnectivityIds",
+          std::vector<std::int64_t>{static_cast<std::int64_t>(connectivity.size())}, "1");
+    array("Types", std::vector<std::uint8_t>(count, type), "1");
+    array("Offsets", offsets, "1");
+    array("Connectivity", connectivity, "1");
+  }
+
+  void finish() {
+    file_.close();
+    pending_.commit(Durability::kKill);
+  }
+
+ private:
+  PendingFile pending_;
+  Hdf5File file_;
+};
+
+std::vector<float> lengths(const std::vector<float>& vectors) {
+  std::vector<float> result(vectors.size() / 3);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    result[i] = std::hypot(vectors[3 * i], vectors[3 * i + 1], vectors[3 * i + 2]);
+  }
+  return result;
+}
+
+void write_particles(const std::string& path, const ParticleFrame& frame) {
+  const std::size_t n = frame.id.size();
+  QUERN_CHECK(frame.position.size() == 3 * n && frame.velocity.size() == 3 * n &&
+              frame.spin.size() == 3 * n && frame.radius.size() == n && frame.species.size() == n &&
+              frame.contacts.size() == n);
+  VtkFile file(path, frame.time);
+  std::vector<std::int64_t> points(n);
+  std::iota(points.begin(), points.end(), 0);
+  file.array("Points", frame.position, "m", 3);
+  file.cells(kVtkVertex, n, points, 1);
+  file.array("PointData/radius", frame.radius, "m");
+  file.array("PointData/velocity", frame.velocity, "m/s", 3);
+  file.array("PointData/speed", lengths(frame.velocity), "m/s");
+  file.array("PointData/spin", frame.spin, "rad/s", 3);
+  file.array("PointData/id", frame.id, "1");
+  file.array("PointData/species", frame.species, "1");
+  file.array("PointData/contacts", frame.contacts, "1");
+  file.finish();
+}
+
+void write_liner(const std::string& path, const WallFrame& frame, double time) {
+  const std::size_t k = frame.wall.size();
+  QUERN_CHECK(frame.triangle.size() == 3 * k && frame.speed.size() == k);
+  VtkFile file(path, time);
+  const std::vector<std::int64_t> corners(frame.triangle.begin(), frame.triangle.end());
+  file.array("Points", frame.vertex, "m", 3);
+  file.cells(kVtkTriangle, frame.vertex.size() / 3, corners, 3);
+  file.array("CellData/wall", frame.wall, "1");
+  file.array("CellData/speed", frame.speed, "m/s");
+  file.finish();
+}
+
+// Value after `key` in one line of a series file as this file writes it.
+template <class T>
+bool parse_after(std::string_view line, std::string_view key, T& value) {
+  const std::size_t at = line.find(key);
+  if (at == std::string_view::npos) return false;
+  const char* const begin = line.data() + at + key.size();
+  return std::from_chars(begin, line.data() + line.size(), value).ec == std::errc();
+}
+
+}  // namespace
+
+FrameWriter::FrameWriter(std::string folder) : folder_(std::move(folder)) {
+  make_folder(kWhat, folder_);
+  read_series(particles_);
+  read_series(liner_);
+}
+
+std::string FrameWriter::frame_path(const FileSeries& series, int number) const {
+  return fmt::format("{}/{}_{:06}.hdf", folder_, series.name, number);
+}
+
+void FrameWriter::read_series(FileSeries& series) const {
+  const std::string path = fmt::format("{}/{}.hdf.series", folder_, series.name);
+  if (!std::filesystem::exists(path)) return;
+  const std::string text = read_text_file("frame series", path);
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string_view line(text.data() + begin, end - begin);
+    begin = end + 1;
+    if (line.find(".hdf") == std::string_view::npos) continue;
+    Entry entry{};
+    if (!parse_after(line, series.name + "_", entry.number) ||
+        !parse_after(line, "\"time\": ", entry.time)) {
+      throw SystemError(fmt::format("cannot read frame series '{}': line '{}'", path, line));
+    }
+    series.entries.push_back(entry);
+  }
+}
+
+void FrameWriter::drop_from(FileSeries& series, int number) const {
+  while (!series.entries.empty() && series.entries.back().number >= number) {
+    std::error_code ignored;  // it may be gone already
+    std::filesystem::remove(frame_path(series, series.entries.back().number), ignored);
+    series.entries.pop_back();
+  }
+}
+
+void FrameWriter::list(FileSeries& series, int number, double time) const {
+  series.entries.push_back({number, time});
+  std::string text = "{\n  \"file-series-version\": \"1.0\",\n  \"files\": [\n";
+  for (const Entry& entry : series.entries) {
+    text += fmt::format("    {{\"name\": \"{}_{:06}.hdf\", \"time\": {}}}{}\n", series.name,
+                        entry.number, entry.time, &entry == &series.entries.back() ? "" : ",");
+  }
+  text += "  ]\n}\n";
+  write_text_file("frame series", fmt::format("{}/{}.hdf.series", folder_, series.name), text,
+                  Durability::kKill);
+}
+
+void FrameWriter::write(int number, const ParticleFrame& particles, const WallFrame& walls) {
+  QUERN_CHECK(number >= 0);
+  drop_from(particles_, number);
+  drop_from(liner_, number);
+  write_particles(frame_path(particles_, number), particles);
+  list(particles_, number, particles.time);
+  if (walls.wall.empty()) return;
+  write_liner(frame_path(liner_, number), walls, particles.time);
+  list(liner_, number, particles.time);
+}
+
+}  // namespace quern

@@ -1,0 +1,44 @@
+// FrameWriter: pictures of the run for ParaView, one file a moment, in OUT/frames.
+//
+// particles_000123.hdf (one vertex cell a particle) and liner_000123.hdf (triangles) are VTKHDF 1.0
+// UnstructuredGrid, which is what ParaView 5.11 reads; particles.hdf.series and liner.hdf.series
+// give the times. Files appear by renaming, the series after the frame it lists, so a viewer or a
+// killed run never meets half a file. Every dataset carries its unit.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "soa/output.h"
+
+namespace quern {
+
+class FrameWriter {
+ public:
+  // Makes the folder if needed and continues the series it holds.
+  explicit FrameWriter(std::string folder);
+
+  // Writes frame `number` >= 0. Frames from `number` on that a resumed run has left are deleted.
+  // Without triangles no liner file is written.
+  void write(int number, const ParticleFrame& particles, const WallFrame& walls);
+
+ private:
+  struct Entry {
+    int number;
+    double time;
+  };
+  struct FileSeries {
+    std::string name;  // "particles", "liner"
+    std::vector<Entry> entries;
+  };
+  std::string frame_path(const FileSeries& series, int number) const;
+  void read_series(FileSeries& series) const;
+  void drop_from(FileSeries& series, int number) const;
+  void list(FileSeries& series, int number, double time) const;
+
+  std::string folder_;
+  FileSeries particles_{"particles", {}};
+  FileSeries liner_{"liner", {}};
+};
+
+}  // namespace quern

@@ -1,0 +1,66 @@
+// Neighbour search: grids by size level, and the pairs that may touch before the lists go stale.
+//
+// A pair is listed if the straight-line relative motion of its partners (known velocities) brings
+// their gap below the slack at any moment of the coming window. Such a list is complete as long as
+// no particle has left its own straight line by more than half the slack, however fast the bed as a
+// whole travels. Particles are binned where they will be in the middle of the window.
+//
+// Sizes are sorted into levels of a factor of two. Each particle searches its own level and all
+// coarser ones, and keeps partners that are larger (ties: of higher identity): every pair is found
+// exactly once, by its owner. Copies of particles near a periodic face stand in for their images.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "soa/column.h"
+#include "soa/record.h"
+
+namespace quern {
+
+struct SearchBox {
+  std::array<double, 3> low{}, high{};      // bounds of all centres, m
+  std::array<double, 3> period{};           // 0: not periodic
+};
+
+// One level: entries sorted by cell, cells x-fastest. Positions are f32 relative to `low`: used for a
+// conservative reject only.
+struct GridLevel {
+  double cell = 0;            // m
+  double reach = 0;           // m, largest radius + half path + slack of an entry
+  std::array<double, 3> low{};
+  std::array<int, 3> count{};
+  Column<Index> begin;        // cells + 1
+  Column<Index> particle;     // index in the current order
+  Column<float> x, y, z, reach_of;  // reach of each entry: radius + half path
+};
+
+struct SearchGrid {
+  std::vector<GridLevel> levels;
+  double smallest_radius = 0;
+  double margin = 0;  // m, rounding of the f32 positions
+};
+
+struct SearchInput {
+  const double* x[3];  // place
+  const double* v[3];  // velocity
+  const double* radius;
+  const Index* id;
+  std::size_t count;
+  SearchBox box;
+  double window;  // s
+  double slack;   // m
+};
+
+struct CandidatePair {
+  Index i, j;
+};
+
+// Builds the levels. May allocate.
+void build_grid(const SearchInput& in, SearchGrid& grid);
+
+// Appends the own pairs of particles first ... last-1, sorted by (i, j).
+void find_candidates(const SearchInput& in, const SearchGrid& grid, Index first, Index last,
+                     std::vector<CandidatePair>& out);
+
+}  // namespace quern

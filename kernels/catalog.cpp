@@ -1,0 +1,28 @@
+// Rows of the catalog that kernels/ answers for.
+#include "soa/catalog.h"
+
+namespace quern {
+
+std::vector<CatalogEntry> contact_catalog() {
+  return {
+      {"law",
+       "linear-spring-dashpot",
+       "linear springs with tangential history, Coulomb friction, implicit damping (Xie et al. 2021, "
+       "Eqs 3-7)",
+       {{"normal_stiffness", "N/m", "", "> 0", "k_n of the pair of materials"},
+        {"tangential_stiffness", "N/m", "", ">= 0", "k_t of the pair"},
+        {"restitution", "1", "", "(0, 1]", "delivered normal coefficient of restitution"},
+        {"sliding_friction", "1", "", ">= 0", "Coulomb coefficient mu"},
+        {"rolling_friction", "1", "0", ">= 0", "mu_r, spheres only (Zhou et al. 1999)"},
+        {"normal_force", "", "clamped", "clamped | unclamped", "whether the force may pull"},
+        {"tangential_damping", "", "true", "true | false", "dashpot beside the tangential spring"}}},
+      {"pair type", "sphere-sphere", "spheres by overlap along the line of centres", {}},
+      {"pair type", "sphere-facet", "spheres on triangles by local minima of the distance", {}},
+      {"wall", "mill", "shell polygon with lifters and flat or periodic ends, from numbers", {}},
+      {"wall", "mesh", "triangles of an STL file", {}},
+      {"wall", "plane", "a plane through a point, one side", {}},
+      {"wall", "box", "a box, closed or open at the top, facing inwards", {}},
+  };
+}
+
+}  // namespace quern

@@ -1,0 +1,160 @@
+// Contact forces of one tile: what the kernels read and write, and the entry points that dispatch to
+// the best SIMD target of this CPU at run time.
+//
+// A kernel is a pure function over columns: no allocation, no threads, no I/O. The pair kernels add
+// force and torque into the tile's accumulator rows, in the order of the list; a row is
+//   fx fy fz  tx ty tz  contacts  unused      (f64, one cache line)
+// The last row (index tile_size) takes what belongs to partners of other tiles and is thrown away:
+// those tiles compute the same contact from the same bits.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "soa/base.h"
+#include "soa/motion.h"
+#include "soa/record.h"
+
+namespace quern {
+
+inline constexpr std::size_t kRowWidth = 8;
+
+// Constants of the law for every ordered pair of materials (row i * materials + j), symmetric.
+// Damping enters as a = 2 zeta sqrt(k), so that c = a sqrt(m).
+template <class Real>
+struct LawTable {
+  const Real* normal_stiffness;      // N/m
+  const Real* tangential_stiffness;  // N/m
+  const Real* normal_damping;        // 2 zeta sqrt(kn)
+  const Real* tangential_damping;    // 2 zeta sqrt(kt 2/7); 0: off. c_t = this * sqrt(m_e)
+  const Real* sliding_friction;
+  const Real* rolling_friction;
+  Index materials;
+};
+
+template <class Real>
+struct StepConstants {
+  LawTable<Real> law;
+  double dt;
+  bool clamped;   // normal force never pulls
+  bool rolling;   // any rolling friction in the table
+  bool periodic;  // any axis
+  double period[3];          // m; 0: not periodic
+  double inverse_period[3];  // 1/m; 0: not periodic
+};
+
+// Particles of the whole scene as the last step left them.
+template <class Real>
+struct ParticleView {
+  const Record<Real>* record;
+  const Real* inverse_mass;  // 1/kg
+  const std::uint32_t* tag;
+};
+
+// One tile's slice of a pair batch. `own` slots come first, then those imported from other tiles;
+// both parts are padded to kPairPad slots with i == j.
+template <class Real>
+struct PairView {
+  const Index* i;
+  const Index* j;
+  Real* spring[3];  // m, tangential spring xi
+  Real* force[3];   // N, force on i in the last step
+  Real* moment[3];  // N m, rolling moment on i in the last step; null without rolling friction
+  std::size_t own, all;  // slots
+};
+inline constexpr std::size_t kPairPad = 8;
+
+// Sums over the contacts of a tile in one step, and the worst overlap found.
+struct ContactTally {
+  double work = 0;                // J, work of contact forces on the relative motion, last step
+  double elastic = 0;             // J, spring energy now
+  double slide = 0;               // J, dissipated by sliding
+  double tangential_damping = 0;  // J
+  double numerical_loss = 0;      // J, part of the dissipation that is error of the time step
+  double contacts = 0;            // touching pairs
+  double warnings = 0;            // contacts deeper than half the smaller radius
+  double max_overlap = 0;         // over the smaller radius
+  void add(const ContactTally& o) {
+    work += o.work;
+    elastic += o.elastic;
+    slide += o.slide;
+    tangential_damping += o.tangential_damping;
+    numerical_loss += o.numerical_loss;
+    contacts += o.contacts;
+    warnings += o.warnings;
+    max_overlap = max_overlap > o.max_overlap ? max_overlap : o.max_overlap;
+  }
+};
+
+// Accumulator rows of a tile whose first particle is `first`.
+struct TileRows {
+  double* rows;  // (tile_size + 1) x kRowWidth, aligned
+  Index first;
+  Index size;
+};
+
+// Wall contacts of a tile as the narrow phase found them, one lane each, all f64. An entry whose
+// overlap is not positive closes a contact (its last force still does work).
+struct WallContacts {
+  static constexpr int kGeometry = 14;
+  // n(3), overlap, n_old(3), overlap_old, wall velocity at the contact point(3), wall spin(3)
+  double* geometry[kGeometry];
+  Index* particle;
+  std::uint32_t* material;  // of the wall
+  double* spring[3];
+  double* force[3];   // on the particle: last step's on entry, this step's on return
+  double* moment[3];  // rolling
+  double* wall_work;  // J, out: work of the wall on the particle in this contact and step
+  std::size_t count;  // padded to kPairPad by the caller; padding has overlap 0 and no force
+};
+
+// Moves the particles of one tile by a step.
+template <class Real>
+struct MoveView {
+  const Record<Real>* now;
+  Record<Real>* next;
+  const Real* inverse_mass;
+  const std::uint32_t* tag_now;
+  std::uint32_t* tag_next;
+  double* spin[3];              // f64 spin, rad/s
+  const double* list_place[3];  // position when the lists were built
+  const float* list_velocity[3];
+  double list_time;             // s since the lists were built, at the end of this step
+  double kick;                  // s, of the velocities: dt, or dt/2 on the first step
+  double gravity[3];
+  double low[3], high[3];       // a centre outside is an error
+  double drag;                  // factor on velocities in settling's soft phase; 1: none
+};
+
+struct MoveTally {
+  double translational = 0;  // J, 1/2 m v(n-1/2) . v(n+1/2)
+  double rotational = 0;     // J
+  double momentum[3] = {0, 0, 0};      // kg m/s, of v(n-1/2)
+  double moment_of_mass[3] = {0, 0, 0};  // kg m, sum of m x
+  double drag_loss = 0;      // J, taken out by settling's drag
+  double max_deviation2 = 0; // m^2, from the straight lines of the lists
+  double bad = 0;            // particles not finite or outside
+};
+
+template <class Real>
+struct Kernels {
+  void (*pairs)(const StepConstants<Real>&, const ParticleView<Real>&, const PairView<Real>&,
+                const TileRows&, ContactTally&);
+  void (*walls)(const StepConstants<double>&, const ParticleView<Real>&, const WallContacts&,
+                const TileRows&, ContactTally&);
+  void (*move)(const MoveView<Real>&, const TileRows&, double dt, MoveTally&);
+  const char* target;
+};
+
+// The kernels for the best target this CPU and hwy::SetSupportedTargetsForTest allow.
+template <class Real>
+Kernels<Real> choose_kernels();
+template <>
+Kernels<float> choose_kernels<float>();
+template <>
+Kernels<double> choose_kernels<double>();
+
+// Names of the SIMD targets this CPU can run, best first.
+std::vector<std::string> simd_targets();
+
+}  // namespace quern

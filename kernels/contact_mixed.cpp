@@ -1,0 +1,42 @@
+// The kernels in `mixed` precision, compiled once for every SIMD target and chosen at run time.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "kernels/contact_mixed.cpp"
+#include <hwy/foreach_target.h>
+
+#include "kernels/integrate-inl.h"
+#include "kernels/pairs/sphere_facet-inl.h"
+#include "kernels/pairs/sphere_sphere-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace quern {
+namespace HWY_NAMESPACE {
+
+Kernels<float> kernels_mixed() {
+  return {&sphere_sphere<float>, &sphere_facet<float>, &move_spheres<float>,
+          hwy::TargetName(HWY_TARGET)};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace quern
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace quern {
+
+HWY_EXPORT(kernels_mixed);
+
+template <>
+Kernels<float> choose_kernels<float>() {
+  return HWY_DYNAMIC_DISPATCH(kernels_mixed)();
+}
+
+std::vector<std::string> simd_targets() {
+  std::vector<std::string> names;
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    names.emplace_back(hwy::TargetName(target));
+  }
+  return names;
+}
+
+}  // namespace quern
+#endif

@@ -1,0 +1,153 @@
+// Leapfrog for spheres, one tile: v(n+1/2) = v(n-1/2) + dt (F/m + g), x(n+1) = x(n) + dt v(n+1/2),
+// w likewise with I = 2/5 m r^2. Writes the tile's next records, counts what the ledger needs and
+// watches how far each particle has left the straight line that the lists predicted for it.
+#if defined(QUERN_INTEGRATE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef QUERN_INTEGRATE_INL_H_
+#undef QUERN_INTEGRATE_INL_H_
+#else
+#define QUERN_INTEGRATE_INL_H_
+#endif
+
+#include "kernels/pair_loop-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace quern {
+namespace HWY_NAMESPACE {
+
+// Rows first ... first + lanes - 1 of the accumulator as lanes.
+HWY_INLINE void load_sums(const double* rows, hn::Vec<D64> (&c)[8]) {
+  const D64 d;
+#if QUERN_ROWS_IN_REGISTERS
+  for (int k = 0; k < 8; ++k) c[k] = hn::Load(d, rows + 8 * k);
+  transpose8(c);
+#else
+  const auto at = hn::Mul(hn::Iota(D64I(), 0), hn::Set(D64I(), 8));
+  for (int k = 0; k < 8; ++k) c[k] = hn::GatherIndex(d, rows + k, at);
+#endif
+}
+
+template <class Real>
+HWY_INLINE void store_records(const Vec3V<hn::Vec<D64>>& x, const Vec3V<hn::Vec<D64>>& v,
+                              const Vec3V<hn::Vec<D64>>& w, hn::Vec<Lanes<Real>> radius,
+                              std::size_t count, Record<Real>* to) {
+  const D64 d;
+  const Lanes<Real> dr;
+  constexpr std::size_t kLanes = hn::MaxLanes(D64());
+  HWY_ALIGN double wide[6][kLanes];
+  HWY_ALIGN Real narrow[4][kLanes];
+  hn::Store(x.x, d, wide[0]);
+  hn::Store(x.y, d, wide[1]);
+  hn::Store(x.z, d, wide[2]);
+  hn::Store(v.x, d, wide[3]);
+  hn::Store(v.y, d, wide[4]);
+  hn::Store(v.z, d, wide[5]);
+  hn::StoreU(to_real<Real>(w.x), dr, narrow[0]);
+  hn::StoreU(to_real<Real>(w.y), dr, narrow[1]);
+  hn::StoreU(to_real<Real>(w.z), dr, narrow[2]);
+  hn::StoreU(radius, dr, narrow[3]);
+  for (std::size_t k = 0; k < count; ++k) {
+    to[k] = {wide[0][k], wide[1][k],   wide[2][k],   wide[3][k],   wide[4][k],
+             wide[5][k], narrow[0][k], narrow[1][k], narrow[2][k], narrow[3][k]};
+  }
+}
+
+struct MoveSumV {
+  hn::Vec<D64> translational, rotational, momentum[3], moment[3], drag, deviation, bad;
+};
+
+template <class Real>
+void move_spheres(const MoveView<Real>& m, const TileRows& tile, double dt, MoveTally& tally) {
+  const D64 d;
+  const Lanes<Real> dr;
+  using V = hn::Vec<D64>;
+  const std::size_t lanes = hn::Lanes(d);
+  const V zero = hn::Zero(d), half = hn::Set(d, 0.5), dtv = hn::Set(d, dt);
+  const V kick = hn::Set(d, m.kick);
+  const V drag = hn::Set(d, m.drag), elapsed = hn::Set(d, m.list_time);
+  const Vec3V<V> gravity = {hn::Set(d, m.gravity[0]), hn::Set(d, m.gravity[1]),
+                            hn::Set(d, m.gravity[2])};
+  const ParticleView<Real> view = {m.now, m.inverse_mass, m.tag_now};
+  MoveSumV sum = {zero, zero, {zero, zero, zero}, {zero, zero, zero}, zero, zero, zero};
+  HWY_ALIGN Index lane[16];
+  for (std::size_t k = 0; k < tile.size; k += lanes) {
+    const std::size_t at = tile.first + k;
+    const std::size_t count = HWY_MIN(lanes, tile.size - k);
+    // Lanes beyond the tile repeat its last particle; they are not stored and not counted.
+    for (std::size_t l = 0; l < lanes; ++l) {
+      lane[l] = static_cast<Index>(at + HWY_MIN(l, count - 1));
+    }
+    const auto live = hn::FirstN(d, count);
+    const PartnerV<Real> p = load_partner(view, lane);
+    V row[8];
+    load_sums(tile.rows + k * kRowWidth, row);
+    const V inverse_mass = to_f64(p.inverse_mass), radius = to_f64(p.radius);
+    const V push = hn::Mul(kick, inverse_mass);
+    const Vec3V<V> force = {row[0], row[1], row[2]}, torque = {row[3], row[4], row[5]};
+    const Vec3V<V> kicked = add_scaled(add_scaled(p.velocity, push, force), kick, gravity);
+    const Vec3V<V> velocity = scale(drag, kicked);
+    const Vec3V<V> place = add_scaled(p.place, dtv, velocity);
+    const V r2 = hn::Mul(radius, radius);
+    const V twist = hn::Div(hn::Mul(hn::Set(d, 2.5), push), r2);
+    const Vec3V<V> spin_old = {hn::LoadU(d, m.spin[0] + at), hn::LoadU(d, m.spin[1] + at),
+                               hn::LoadU(d, m.spin[2] + at)};
+    const Vec3V<V> spin = scale(drag, add_scaled(spin_old, twist, torque));
+    store_records<Real>(place, velocity, spin, p.radius, count, m.next + at);
+    hn::BlendedStore(spin.x, live, d, m.spin[0] + at);
+    hn::BlendedStore(spin.y, live, d, m.spin[1] + at);
+    hn::BlendedStore(spin.z, live, d, m.spin[2] + at);
+    HWY_ALIGN double touches[hn::MaxLanes(D64())];
+    hn::Store(row[6], d, touches);
+    for (std::size_t l = 0; l < count; ++l) {
+      m.tag_next[at + l] =
+          make_tag(tag_material(m.tag_now[at + l]), static_cast<std::uint32_t>(touches[l]));
+    }
+
+    const V mass = hn::Div(hn::Set(d, 1), inverse_mass);
+    const auto count_if = [&](V v) HWY_ATTR { return hn::IfThenElseZero(live, v); };
+    const V half_mass = count_if(hn::Mul(half, mass));
+    sum.translational = hn::MulAdd(half_mass, dot(p.velocity, kicked), sum.translational);
+    const V inertia = hn::Mul(hn::Set(d, 0.4), r2);
+    sum.rotational =
+        hn::MulAdd(hn::Mul(half_mass, inertia), dot(spin_old, spin), sum.rotational);
+    const V counted_mass = count_if(mass);
+    sum.momentum[0] = hn::MulAdd(counted_mass, p.velocity.x, sum.momentum[0]);
+    sum.momentum[1] = hn::MulAdd(counted_mass, p.velocity.y, sum.momentum[1]);
+    sum.momentum[2] = hn::MulAdd(counted_mass, p.velocity.z, sum.momentum[2]);
+    sum.moment[0] = hn::MulAdd(counted_mass, p.place.x, sum.moment[0]);
+    sum.moment[1] = hn::MulAdd(counted_mass, p.place.y, sum.moment[1]);
+    sum.moment[2] = hn::MulAdd(counted_mass, p.place.z, sum.moment[2]);
+    sum.drag = hn::MulAdd(half_mass, hn::Sub(dot(kicked, kicked), dot(velocity, velocity)), sum.drag);
+
+    const auto line = [&](int axis) HWY_ATTR {
+      const auto v = hn::PromoteTo(d, hn::LoadU(hn::Rebind<float, D64>(), m.list_velocity[axis] + at));
+      return hn::MulAdd(v, elapsed, hn::LoadU(d, m.list_place[axis] + at));
+    };
+    const Vec3V<V> off = place - Vec3V<V>{line(0), line(1), line(2)};
+    sum.deviation = hn::Max(sum.deviation, count_if(dot(off, off)));
+    const auto inside = [&](V v, int axis) HWY_ATTR {
+      return hn::And(hn::Ge(v, hn::Set(d, m.low[axis])), hn::Le(v, hn::Set(d, m.high[axis])));
+    };
+    const auto good = hn::And(inside(place.x, 0), hn::And(inside(place.y, 1), inside(place.z, 2)));
+    sum.bad = hn::Add(sum.bad, count_if(hn::IfThenZeroElse(good, hn::Set(d, 1))));
+  }
+  (void)dr;
+  tally.translational += sum_lanes(sum.translational);
+  tally.rotational += sum_lanes(sum.rotational);
+  for (int axis = 0; axis < 3; ++axis) {
+    tally.momentum[axis] += sum_lanes(sum.momentum[axis]);
+    tally.moment_of_mass[axis] += sum_lanes(sum.moment[axis]);
+  }
+  tally.drag_loss += sum_lanes(sum.drag);
+  tally.bad += sum_lanes(sum.bad);
+  HWY_ALIGN double deviation[hn::MaxLanes(D64())];
+  hn::Store(sum.deviation, d, deviation);
+  for (std::size_t l = 0; l < lanes; ++l) {
+    tally.max_deviation2 = HWY_MAX(tally.max_deviation2, deviation[l]);
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace quern
+HWY_AFTER_NAMESPACE();
+
+#endif

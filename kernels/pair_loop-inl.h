@@ -1,0 +1,163 @@
+// What the contact loops of all pair types share: loading partners into lanes, writing history back,
+// adding up tallies. Lanes are contacts; a lane's result depends on its two partners alone, never on
+// its neighbours or its place, so that the two copies of a cross-tile contact have the same bits.
+#if defined(QUERN_PAIR_LOOP_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef QUERN_PAIR_LOOP_INL_H_
+#undef QUERN_PAIR_LOOP_INL_H_
+#else
+#define QUERN_PAIR_LOOP_INL_H_
+#endif
+
+#include "kernels/laws/linear_spring_dashpot-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace quern {
+namespace HWY_NAMESPACE {
+
+template <class Real>
+struct PartnerV {
+  Vec3V<hn::Vec<D64>> place, velocity;
+  Vec3V<hn::Vec<Lanes<Real>>> spin;
+  hn::Vec<Lanes<Real>> radius, inverse_mass, contacts;
+  hn::Vec<hn::RebindToSigned<Lanes<Real>>> material;
+};
+
+// u32 lanes as the signed integer lanes that go with Real.
+template <class Real, class V>
+HWY_INLINE auto to_index(V v) {
+  if constexpr (sizeof(Real) == sizeof(double)) {
+    return hn::PromoteTo(D64I(), hn::BitCast(D32I(), v));
+  } else {
+    return hn::BitCast(D32I(), v);
+  }
+}
+
+#if QUERN_ROWS_IN_REGISTERS
+// Eight 64-byte records turned in registers: a third of the cost of ten gathers.
+HWY_INLINE void load_rows(const ParticleView<float>& p, const Index* lane, PartnerV<float>& out) {
+  const D64 d;
+  V64 c[8];
+  for (int k = 0; k < 8; ++k) {
+    c[k] = hn::LoadU(d, reinterpret_cast<const double*>(p.record + lane[k]));
+  }
+  transpose8(c);
+  out.place = {c[0], c[1], c[2]};
+  out.velocity = {c[3], c[4], c[5]};
+  // c[6] holds (wx, wy), c[7] holds (wz, radius) as pairs of f32.
+  const __m512i low = _mm512_castpd_si512(c[6].raw), high = _mm512_castpd_si512(c[7].raw);
+  const auto even = [](__m512i v) {
+    return hn::Vec<Lanes<float>>{_mm256_castsi256_ps(_mm512_cvtepi64_epi32(v))};
+  };
+  out.spin = {even(low), even(_mm512_srli_epi64(low, 32)), even(high)};
+  out.radius = even(_mm512_srli_epi64(high, 32));
+}
+#endif
+
+template <class Real>
+HWY_INLINE void gather_rows(const ParticleView<Real>& p, const Index* lane, PartnerV<Real>& out) {
+  const Lanes<Real> dr;
+  constexpr int kF64PerRecord = sizeof(Record<Real>) / sizeof(double);
+  constexpr int kRealPerRecord = sizeof(Record<Real>) / sizeof(Real);
+  const auto index = hn::LoadU(D32U(), lane);
+  const auto wide = hn::PromoteTo(D64I(), hn::BitCast(D32I(), index));
+  const auto at = hn::Mul(wide, hn::Set(D64I(), kF64PerRecord));
+  const double* base = &p.record->x;
+  const auto f64 = [&](int field) HWY_ATTR { return hn::GatherIndex(D64(), base + field, at); };
+  out.place = {f64(0), f64(1), f64(2)};
+  out.velocity = {f64(3), f64(4), f64(5)};
+  const hn::RebindToSigned<Lanes<Real>> di;
+  const auto at_real =
+      hn::Mul(to_index<Real>(index), hn::Set(di, static_cast<hn::TFromD<decltype(di)>>(kRealPerRecord)));
+  const Real* reals = &p.record->wx;
+  const auto real = [&](int field) HWY_ATTR { return hn::GatherIndex(dr, reals + field, at_real); };
+  out.spin = {real(0), real(1), real(2)};
+  out.radius = real(3);
+}
+
+template <class Real>
+HWY_INLINE PartnerV<Real> load_partner(const ParticleView<Real>& p, const Index* lane) {
+  const Lanes<Real> dr;
+  PartnerV<Real> out;
+#if QUERN_ROWS_IN_REGISTERS
+  if constexpr (sizeof(Real) == sizeof(float)) {
+    load_rows(p, lane, out);
+  } else {
+    gather_rows(p, lane, out);
+  }
+#else
+  gather_rows(p, lane, out);
+#endif
+  const auto index = hn::LoadU(D32U(), lane);
+  out.inverse_mass = hn::GatherIndex(dr, p.inverse_mass, to_index<Real>(index));
+  const auto tag = hn::BitCast(
+      D32U(), hn::GatherIndex(D32I(), reinterpret_cast<const std::int32_t*>(p.tag),
+                              hn::BitCast(D32I(), index)));
+  out.material = to_index<Real>(hn::And(tag, hn::Set(D32U(), 0xffffu)));
+  out.contacts = hn::ConvertTo(dr, to_index<Real>(hn::ShiftRight<16>(tag)));
+  return out;
+}
+
+template <class V>
+HWY_INLINE Vec3V<V> load3(hn::TFromV<V>* const (&from)[3], std::size_t at) {
+  const hn::DFromV<V> d;
+  return {hn::LoadU(d, from[0] + at), hn::LoadU(d, from[1] + at), hn::LoadU(d, from[2] + at)};
+}
+template <class V>
+HWY_INLINE void store3(const Vec3V<V>& v, hn::TFromV<V>* const (&to)[3], std::size_t at) {
+  const hn::DFromV<V> d;
+  hn::StoreU(v.x, d, to[0] + at);
+  hn::StoreU(v.y, d, to[1] + at);
+  hn::StoreU(v.z, d, to[2] + at);
+}
+
+// Lane sums of a tally, f64; reduced lane after lane at the end.
+struct TallyV {
+  hn::Vec<D64> work, elastic, slide, tangential_damping, numerical_loss, contacts, warnings, deepest;
+};
+HWY_INLINE TallyV zero_tally() {
+  const auto z = hn::Zero(D64());
+  return {z, z, z, z, z, z, z, z};
+}
+template <class V, class M>
+HWY_INLINE void count_response(const ResponseV<V>& r, M touching, V relative_overlap, TallyV& sum) {
+  const hn::DFromV<V> d;
+  const V one = hn::Set(d, 1);
+  sum.work = hn::Add(sum.work, to_f64(r.work));
+  sum.elastic = hn::Add(sum.elastic, to_f64(r.elastic));
+  sum.slide = hn::Add(sum.slide, to_f64(r.slide));
+  sum.tangential_damping = hn::Add(sum.tangential_damping, to_f64(r.tangential_damping));
+  sum.numerical_loss = hn::Add(sum.numerical_loss, to_f64(r.numerical_loss));
+  sum.contacts = hn::Add(sum.contacts, to_f64(hn::IfThenElseZero(touching, one)));
+  const auto deep = hn::And(touching, hn::Gt(relative_overlap, hn::Set(d, hn::TFromV<V>(0.5))));
+  sum.warnings = hn::Add(sum.warnings, to_f64(hn::IfThenElseZero(deep, one)));
+  sum.deepest = hn::Max(sum.deepest, to_f64(hn::IfThenElseZero(touching, relative_overlap)));
+}
+inline double sum_lanes(hn::Vec<D64> v) {
+  HWY_ALIGN double lane[hn::MaxLanes(D64())];
+  hn::Store(v, D64(), lane);
+  double s = 0;
+  for (std::size_t k = 0; k < hn::Lanes(D64()); ++k) s += lane[k];
+  return s;
+}
+inline void add_tally(const TallyV& v, ContactTally& to) {
+  ContactTally t;
+  t.work = sum_lanes(v.work);
+  t.elastic = sum_lanes(v.elastic);
+  t.slide = sum_lanes(v.slide);
+  t.tangential_damping = sum_lanes(v.tangential_damping);
+  t.numerical_loss = sum_lanes(v.numerical_loss);
+  t.contacts = sum_lanes(v.contacts);
+  t.warnings = sum_lanes(v.warnings);
+  HWY_ALIGN double lane[hn::MaxLanes(D64())];
+  hn::Store(v.deepest, D64(), lane);
+  for (std::size_t k = 0; k < hn::Lanes(D64()); ++k) {
+    t.max_overlap = lane[k] > t.max_overlap ? lane[k] : t.max_overlap;
+  }
+  to.add(t);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace quern
+HWY_AFTER_NAMESPACE();
+
+#endif

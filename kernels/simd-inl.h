@@ -1,0 +1,144 @@
+// Vectors of three over SIMD lanes, fused multiply-add in one place, and 8-wide row transposes.
+//
+// Included once per Highway target. Lanes are those of f64 vectors; Real lanes (f32 in mixed
+// precision) are as many, in half the width, so that one source serves both precisions.
+#if defined(QUERN_KERNELS_SIMD_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef QUERN_KERNELS_SIMD_INL_H_
+#undef QUERN_KERNELS_SIMD_INL_H_
+#else
+#define QUERN_KERNELS_SIMD_INL_H_
+#endif
+
+#include <hwy/cache_control.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace quern {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using D64 = hn::ScalableTag<double>;
+using D64I = hn::RebindToSigned<D64>;
+using D32I = hn::Rebind<std::int32_t, D64>;
+using D32U = hn::Rebind<std::uint32_t, D64>;
+template <class Real>
+using Lanes = hn::Rebind<Real, D64>;
+
+template <class V>
+struct Vec3V {
+  V x, y, z;
+};
+
+template <class V>
+HWY_INLINE Vec3V<V> operator+(const Vec3V<V>& a, const Vec3V<V>& b) {
+  return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+}
+template <class V>
+HWY_INLINE Vec3V<V> operator-(const Vec3V<V>& a, const Vec3V<V>& b) {
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+template <class V>
+HWY_INLINE Vec3V<V> scale(V s, const Vec3V<V>& a) {
+  return {hn::Mul(s, a.x), hn::Mul(s, a.y), hn::Mul(s, a.z)};
+}
+// a + s b
+template <class V>
+HWY_INLINE Vec3V<V> add_scaled(const Vec3V<V>& a, V s, const Vec3V<V>& b) {
+  return {hn::MulAdd(s, b.x, a.x), hn::MulAdd(s, b.y, a.y), hn::MulAdd(s, b.z, a.z)};
+}
+template <class V>
+HWY_INLINE V dot(const Vec3V<V>& a, const Vec3V<V>& b) {
+  return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
+}
+template <class V>
+HWY_INLINE Vec3V<V> cross(const Vec3V<V>& a, const Vec3V<V>& b) {
+  return {hn::MulSub(a.y, b.z, hn::Mul(a.z, b.y)), hn::MulSub(a.z, b.x, hn::Mul(a.x, b.z)),
+          hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
+}
+template <class V, class M>
+HWY_INLINE Vec3V<V> keep_if(M mask, const Vec3V<V>& a) {
+  return {hn::IfThenElseZero(mask, a.x), hn::IfThenElseZero(mask, a.y),
+          hn::IfThenElseZero(mask, a.z)};
+}
+
+// f64 lanes to Real lanes and back; the identity in `double`.
+template <class Real, class V>
+HWY_INLINE auto to_real(V v) {
+  if constexpr (sizeof(Real) == sizeof(double)) {
+    return v;
+  } else {
+    return hn::DemoteTo(Lanes<Real>(), v);
+  }
+}
+template <class V>
+HWY_INLINE auto to_f64(V v) {
+  if constexpr (sizeof(hn::TFromV<V>) == sizeof(double)) {
+    return v;
+  } else {
+    return hn::PromoteTo(D64(), v);
+  }
+}
+template <class Real, class V>
+HWY_INLINE Vec3V<hn::Vec<Lanes<Real>>> to_real(const Vec3V<V>& a) {
+  return {to_real<Real>(a.x), to_real<Real>(a.y), to_real<Real>(a.z)};
+}
+
+#undef QUERN_ROWS_IN_REGISTERS
+// Row `lane` of the 8 x lanes block c goes to (or is added to) row index[lane] of `rows`.
+// AVX-512 turns the block in registers; narrower targets pass through a small buffer.
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+using V64 = hn::Vec<D64>;
+HWY_INLINE void transpose8(V64* c) {
+  const D64 d;
+  V64 a[8], b[8];
+  for (int k = 0; k < 8; k += 2) {
+    a[k] = hn::InterleaveLower(d, c[k], c[k + 1]);
+    a[k + 1] = hn::InterleaveUpper(d, c[k], c[k + 1]);
+  }
+  // 128-bit blocks now hold two neighbours of a row; turn the 4 x 4 arrangement of blocks.
+  for (int k = 0; k < 2; ++k) {
+    const V64 p = a[k], q = a[k + 2], r = a[k + 4], s = a[k + 6];
+    const V64 pq_even{_mm512_shuffle_f64x2(p.raw, q.raw, 0x88)};
+    const V64 pq_odd{_mm512_shuffle_f64x2(p.raw, q.raw, 0xdd)};
+    const V64 rs_even{_mm512_shuffle_f64x2(r.raw, s.raw, 0x88)};
+    const V64 rs_odd{_mm512_shuffle_f64x2(r.raw, s.raw, 0xdd)};
+    b[k + 0] = V64{_mm512_shuffle_f64x2(pq_even.raw, rs_even.raw, 0x88)};
+    b[k + 4] = V64{_mm512_shuffle_f64x2(pq_even.raw, rs_even.raw, 0xdd)};
+    b[k + 2] = V64{_mm512_shuffle_f64x2(pq_odd.raw, rs_odd.raw, 0x88)};
+    b[k + 6] = V64{_mm512_shuffle_f64x2(pq_odd.raw, rs_odd.raw, 0xdd)};
+  }
+  for (int k = 0; k < 8; ++k) c[k] = b[k];
+}
+#define QUERN_ROWS_IN_REGISTERS 1
+#else
+#define QUERN_ROWS_IN_REGISTERS 0
+#endif
+
+// rows[index[lane]] += c[.][lane], lane after lane (an index may repeat).
+template <class V>
+HWY_INLINE void add_to_rows(const V (&c)[8], const Index* HWY_RESTRICT index,
+                            double* HWY_RESTRICT rows) {
+  const D64 d;
+#if QUERN_ROWS_IN_REGISTERS
+  V64 t[8] = {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7]};
+  transpose8(t);
+  for (int lane = 0; lane < 8; ++lane) {
+    double* HWY_RESTRICT row = rows + 8 * static_cast<std::size_t>(index[lane]);
+    hn::Store(hn::Add(hn::Load(d, row), t[lane]), d, row);
+  }
+#else
+  constexpr std::size_t kLanes = hn::MaxLanes(D64());
+  HWY_ALIGN double block[8][kLanes];
+  for (int k = 0; k < 8; ++k) hn::Store(c[k], d, block[k]);
+  for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
+    double* HWY_RESTRICT row = rows + 8 * static_cast<std::size_t>(index[lane]);
+    for (int k = 0; k < 8; ++k) row[k] += block[k][lane];
+  }
+#endif
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace quern
+HWY_AFTER_NAMESPACE();
+
+#endif

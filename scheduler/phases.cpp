@@ -1,0 +1,109 @@
+#include "scheduler/phases.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "scheduler/setup.h"
+
+namespace quern {
+
+namespace {
+
+constexpr double kTrueLawTime = 0.1;    // s, the end of every settling
+constexpr double kSoftDrag = 4;         // 1/s: falls end at g/4, bounces die within a second
+constexpr double kStiffenStages[] = {1.0 / 32, 1.0 / 8, 1.0 / 3, 1.0};
+constexpr double kStiffenTime = 0.006;  // s a stage at the true step; longer at a longer step
+constexpr double kStiffenDrag = 150;    // 1/s
+
+std::uint64_t steps_in(double time, double dt) {
+  return static_cast<std::uint64_t>(std::llround(std::max(time, 0.0) / dt));
+}
+
+double run_time(const Scene& scene) {
+  if (scene.run.duration) return *scene.run.duration;
+  if (!scene.run.revolutions || !scene.mill) return 0;
+  const double angle = 2 * kPi * *scene.run.revolutions;
+  double low = 0, high = 1;
+  while (std::abs(schedule_integral(scene.mill->rotation, high)) < angle && high < 1e9) high *= 2;
+  for (int k = 0; k < 200; ++k) {
+    const double middle = 0.5 * (low + high);
+    (std::abs(schedule_integral(scene.mill->rotation, middle)) < angle ? low : high) = middle;
+  }
+  return high;
+}
+
+void add_settling(const Scene& scene, double dt, double depth, double rest_energy,
+                  std::vector<PhasePlan>& plan) {
+  const RunSpec& run = scene.run;
+  const bool until_rest = run.settle == SettleKind::kUntilRest;
+  const double gravity = std::max(run.gravity.norm(), 1e-9);
+  const double fall = std::sqrt(2 * depth / gravity);
+  double total = run.settle_time;
+  if (until_rest && total <= 0) total = 4 * fall + 1;
+  const bool soft = run.soft_stiffness < 1;
+  const double stretch = soft ? 1 / std::sqrt(run.soft_stiffness) : 1;
+  double soft_time = total - kTrueLawTime;
+  if (scene.fill.method == FillMethod::kRain) soft_time = std::max(soft_time, scene.fill.over + fall);
+  if (soft && soft_time > 0) {
+    plan.push_back({Phase::kSoft, run.soft_stiffness, dt * stretch, kSoftDrag,
+                    steps_in(soft_time, dt * stretch), until_rest ? rest_energy : 0});
+    for (const double stage : kStiffenStages) {
+      if (stage <= run.soft_stiffness) continue;
+      const double stage_stretch = 1 / std::sqrt(stage);
+      plan.push_back({Phase::kSoft, stage, dt * stage_stretch, kStiffenDrag / stage_stretch,
+                      steps_in(kStiffenTime, dt), 0});
+    }
+    plan.push_back({Phase::kSettle, 1, dt, 0, steps_in(kTrueLawTime, dt), 0});
+  } else {
+    plan.push_back({Phase::kSettle, 1, dt, 0, steps_in(total, dt), until_rest ? rest_energy : 0});
+  }
+}
+
+}  // namespace
+
+std::vector<PhasePlan> plan_phases(const Scene& scene, double dt, double depth, double mass,
+                                   double smallest_radius) {
+  std::vector<PhasePlan> plan;
+  if (scene.run.settle != SettleKind::kNone && scene.run.start == StartKind::kFill) {
+    // At rest: the kinetic energy would not lift the charge by a hundredth of its finest radius.
+    const double rest_energy = 0.01 * mass * scene.run.gravity.norm() * smallest_radius;
+    add_settling(scene, dt, depth, rest_energy, plan);
+  }
+  plan.push_back({Phase::kRun, 1, dt, 0, steps_in(run_time(scene), dt), 0});
+  return plan;
+}
+
+template <class Real>
+void enter_phase(World<Real>& world, const Scene& scene, const std::vector<PhasePlan>& plan,
+                 std::size_t row) {
+  const PhasePlan& phase = plan.at(row);
+  Clock& clock = world.clock;
+  world.stiffness_factor = phase.stiffness;
+  set_stiffness(world, scene, phase.stiffness);
+  world.drag = std::exp(-phase.drag * phase.dt);
+  world.moving_walls = phase.kind == Phase::kRun;
+  if (clock.phase == row && clock.total_steps > 0 && clock.dt == phase.dt) return;  // resumed
+  clock.phase = row;
+  clock.step = 0;
+  if (clock.dt != phase.dt) clock.list_stale = 1;  // the lists' window is in steps
+  clock.dt = phase.dt;
+  world.ledger = Ledger();
+  world.window = Window();
+}
+
+template <class Real>
+bool phase_is_over(const World<Real>& world, const PhasePlan& plan) {
+  if (world.clock.step >= plan.steps) return true;
+  constexpr std::uint64_t kLookEvery = 50;
+  if (plan.rest_energy <= 0 || world.clock.step % kLookEvery != 0) return false;
+  // Not at rest if it has only just been let go.
+  if (static_cast<double>(world.clock.step) * plan.dt < 0.2) return false;
+  return world.totals.translational + world.totals.rotational < plan.rest_energy;
+}
+
+template void enter_phase(World<float>&, const Scene&, const std::vector<PhasePlan>&, std::size_t);
+template void enter_phase(World<double>&, const Scene&, const std::vector<PhasePlan>&, std::size_t);
+template bool phase_is_over(const World<float>&, const PhasePlan&);
+template bool phase_is_over(const World<double>&, const PhasePlan&);
+
+}  // namespace quern

@@ -1,0 +1,316 @@
+#include "scheduler/rebuild.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace quern {
+
+namespace {
+
+constexpr std::uint64_t kShortestWindow = 4, kLongestWindow = 4000;
+constexpr std::size_t kChunk = 4096;  // particles per task where order does not matter
+
+std::uint64_t spread_bits(std::uint64_t v) {
+  v &= 0x1fffff;
+  v = (v | v << 32) & 0x1f00000000ffff;
+  v = (v | v << 16) & 0x1f0000ff0000ff;
+  v = (v | v << 8) & 0x100f00f00f00f00f;
+  v = (v | v << 4) & 0x10c30c30c30c30c3;
+  v = (v | v << 2) & 0x1249249249249249;
+  return v;
+}
+
+// Order along the Morton curve over a grid of half the mean spacing, ties by identity.
+template <class Real>
+void order_particles(const World<Real>& world, Graph& graph, RebuildScratch<Real>& s) {
+  const Particles<Real>& p = world.particles;
+  const std::size_t n = p.size();
+  Vec3 low = Vec3::Constant(1e300), high = Vec3::Constant(-1e300);
+  for (std::size_t k = 0; k < n; ++k) {
+    const Vec3 x(p.record[k].x, p.record[k].y, p.record[k].z);
+    low = low.cwiseMin(x);
+    high = high.cwiseMax(x);
+  }
+  const double extent = std::max((high - low).maxCoeff(), 1e-9);
+  const double volume = (high - low).cwiseMax(1e-3 * extent).prod();
+  const double cell = std::max(std::cbrt(volume / static_cast<double>(n)), extent / 2e6);
+  s.keys.resize(n);
+  graph.for_each((n + kChunk - 1) / kChunk, [&](std::size_t chunk, int) {
+    for (std::size_t k = chunk * kChunk; k < std::min(n, (chunk + 1) * kChunk); ++k) {
+      const auto bits = [&](double x, double from) {
+        return spread_bits(static_cast<std::uint64_t>((x - from) / cell));
+      };
+      s.keys[k] = {bits(p.record[k].x, low.x()) | bits(p.record[k].y, low.y()) << 1 |
+                       bits(p.record[k].z, low.z()) << 2,
+                   static_cast<Index>(k)};
+    }
+  });
+  std::sort(s.keys.begin(), s.keys.end(), [&](const auto& a, const auto& b) {
+    return a.first != b.first ? a.first < b.first : p.id[a.second] < p.id[b.second];
+  });
+  s.old_of_new.resize(n);
+  s.new_of_old.resize(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    s.old_of_new[k] = s.keys[k].second;
+    s.new_of_old[s.keys[k].second] = static_cast<Index>(k);
+  }
+}
+
+template <class Real>
+void permute_particles(World<Real>& world, Graph& graph, RebuildScratch<Real>& s) {
+  Particles<Real>& p = world.particles;
+  const std::size_t n = p.size();
+  s.sorted.reset(n);
+  graph.for_each(world.tiles(), [&](std::size_t tile, int) {
+    const std::size_t first = tile * world.tile_size;
+    const std::size_t last = std::min<std::size_t>(n, first + world.tile_size);
+    for (std::size_t k = first; k < last; ++k) {
+      const Index from = s.old_of_new[k];
+#define QUERN_MOVE(type, name, unit, doc) s.sorted.name[k] = p.name[from];
+      QUERN_PARTICLE_FIELDS(QUERN_MOVE)
+#undef QUERN_MOVE
+      const Record<Real>& r = s.sorted.record[k];
+      s.sorted.list_x[k] = r.x;
+      s.sorted.list_y[k] = r.y;
+      s.sorted.list_z[k] = r.z;
+      s.sorted.list_vx[k] = static_cast<float>(r.vx);
+      s.sorted.list_vy[k] = static_cast<float>(r.vy);
+      s.sorted.list_vz[k] = static_cast<float>(r.vz);
+      const double* place[3] = {&r.x, &r.y, &r.z};
+      const float velocity[3] = {s.sorted.list_vx[k], s.sorted.list_vy[k], s.sorted.list_vz[k]};
+      for (std::size_t a = 0; a < 3; ++a) {
+        s.x[a][k] = *place[a];
+        s.v[a][k] = static_cast<double>(velocity[a]);
+      }
+      s.radius[k] = static_cast<double>(r.radius);
+    }
+  });
+#define QUERN_SWAP(type, name, unit, doc) std::swap(p.name, s.sorted.name);
+  QUERN_PARTICLE_FIELDS(QUERN_SWAP)
+#undef QUERN_SWAP
+}
+
+template <class Real>
+void wrap_positions(World<Real>& world) {
+  Particles<Real>& p = world.particles;
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (!world.periodic[a]) continue;
+    const Eigen::Index e = static_cast<Eigen::Index>(a);
+    const double low = world.low[e], length = world.high[e] - low;
+    for (std::size_t k = 0; k < p.size(); ++k) {
+      double& x = (&p.record[k].x)[a];
+      const double turns = std::floor((x - low) / length);
+      if (turns != 0) x -= turns * length;
+    }
+  }
+}
+
+template <class Real>
+SearchInput search_input(const World<Real>& world, const RebuildScratch<Real>& s) {
+  SearchInput in{};
+  in.count = world.particles.size();
+  in.radius = s.radius.data();
+  in.id = world.particles.id.data();
+  in.window = static_cast<double>(world.clock.list_window) * world.clock.dt;
+  in.slack = world.slack;
+  for (std::size_t a = 0; a < 3; ++a) {
+    in.x[a] = s.x[a].data();
+    in.v[a] = s.v[a].data();
+    const Eigen::Index e = static_cast<Eigen::Index>(a);
+    if (world.periodic[a]) {
+      in.box.low[a] = world.low[e];
+      in.box.high[a] = world.high[e];
+      in.box.period[a] = world.high[e] - world.low[e];
+      continue;
+    }
+    const auto [lowest, highest] = std::minmax_element(s.x[a].begin(), s.x[a].end());
+    in.box.low[a] = *lowest;
+    in.box.high[a] = *highest;
+  }
+  return in;
+}
+
+std::size_t padded(std::size_t n) { return (n + 7) / 8 * 8; }
+
+// Hands each tile the pairs that other tiles own with it, in order of owner tile.
+template <class Real>
+void import_pairs(const World<Real>& world, RebuildScratch<Real>& s) {
+  for (auto& list : s.imported) list.clear();
+  for (std::size_t tile = 0; tile < world.tiles(); ++tile) {
+    for (const CandidatePair& pair : s.own[tile]) {
+      const std::size_t other = pair.j / world.tile_size;
+      if (other != tile) s.imported[other].push_back(pair);
+    }
+  }
+}
+
+// Slot of the pair (i, j) in the old batch, or kNoIndex. Own slots are sorted by partner identity
+// of the old order; there are a few per particle.
+template <class Real>
+Index old_slot(const PairBatch<Real>& old, Index first, Index count, Index partner) {
+  for (Index k = first; k < first + count; ++k) {
+    if (old.j[k] == partner) return k;
+  }
+  return kNoIndex;
+}
+
+template <class Real>
+void fill_slots(World<Real>& world, RebuildScratch<Real>& s, std::size_t tile) {
+  PairBatch<Real>& fresh = s.pairs;
+  const PairBatch<Real>& old = world.pairs;
+  Particles<Real>& p = world.particles;
+  const auto put = [&](std::size_t slot, Index i, Index j, Index from) {
+    fresh.i[slot] = i;
+    fresh.j[slot] = j;
+    for (std::size_t a = 0; a < 3; ++a) {
+      fresh.spring[a][slot] = from == kNoIndex ? Real(0) : old.spring[a][from];
+      fresh.force[a][slot] = from == kNoIndex ? Real(0) : old.force[a][from];
+      if (fresh.rolling) fresh.moment[a][slot] = from == kNoIndex ? Real(0) : old.moment[a][from];
+    }
+  };
+  std::size_t slot = fresh.begin[tile];
+  const auto part = [&](const std::vector<CandidatePair>& pairs, std::size_t end) {
+    for (const CandidatePair& pair : pairs) {
+      const Index was = s.old_of_new[pair.j];
+      put(slot++, pair.i, pair.j,
+          old_slot(old, s.sorted.pair_first[pair.i], s.sorted.pair_count[pair.i], was));
+    }
+    const Index idle = static_cast<Index>(tile * world.tile_size);
+    while (slot < end) put(slot++, idle, idle, kNoIndex);
+  };
+  part(s.own[tile], fresh.own_end[tile]);
+  part(s.imported[tile], fresh.begin[tile + 1]);
+  const std::size_t last = std::min<std::size_t>(p.size(), (tile + 1) * world.tile_size);
+  Index at = fresh.begin[tile];
+  std::size_t k = 0;
+  for (std::size_t i = tile * world.tile_size; i < last; ++i) {
+    p.pair_first[i] = at;
+    while (k < s.own[tile].size() && s.own[tile][k].i == i) ++k, ++at;
+    p.pair_count[i] = at - p.pair_first[i];
+  }
+}
+
+template <class Real>
+void lay_out_pairs(World<Real>& world, Graph& graph, RebuildScratch<Real>& s) {
+  const std::size_t tiles = world.tiles();
+  s.pairs.rolling = world.rolling;
+  s.pairs.begin.reset(tiles + 1);
+  s.pairs.own_end.reset(tiles);
+  std::size_t slot = 0;
+  for (std::size_t tile = 0; tile < tiles; ++tile) {
+    s.pairs.begin[tile] = static_cast<Index>(slot);
+    slot += padded(s.own[tile].size());
+    s.pairs.own_end[tile] = static_cast<Index>(slot);
+    slot += padded(s.imported[tile].size());
+  }
+  QUERN_CHECK(slot < kNoIndex);
+  s.pairs.begin[tiles] = static_cast<Index>(slot);
+  s.pairs.reset(slot);
+  // The old order's pair_first and pair_count, read while the new ones are written.
+  std::swap(s.sorted.pair_first, world.particles.pair_first);
+  std::swap(s.sorted.pair_count, world.particles.pair_count);
+  graph.for_each(tiles, [&](std::size_t tile, int) { fill_slots(world, s, tile); });
+  std::swap(world.pairs, s.pairs);
+}
+
+// Largest way a particle can move against a body within the window, beyond the list's slack.
+double wall_reach(const Body& body, const Vec3& x, const Vec3& v, double time, double span) {
+  const Motion& m = body.motion;
+  if (m.kind == MotionKind::kFixed) return v.norm() * span;
+  const double rate = max_rate(m, time, span);
+  if (m.kind != MotionKind::kRotation) return (v.norm() + rate) * span;
+  const double distance = (x - m.center).cross(m.axis).norm() + v.norm() * span;
+  const Vec3 carried = schedule_value(m.rate, time) * m.axis.cross(x - m.center);
+  const double varied = rate - std::abs(schedule_value(m.rate, time));
+  return ((v - carried).norm() + varied * distance) * span + rate * rate * distance * span * span;
+}
+
+template <class Real>
+void find_wall_candidates(World<Real>& world, RebuildScratch<Real>& s, std::size_t tile) {
+  WallCandidates& c = world.tile_walls[tile].candidates;
+  c.particle.clear();
+  c.body.clear();
+  c.facet.clear();
+  c.first.assign(1, 0);
+  const double span = static_cast<double>(world.clock.list_window) * world.clock.dt;
+  const std::size_t last =
+      std::min<std::size_t>(world.particles.size(), (tile + 1) * world.tile_size);
+  for (std::size_t k = tile * world.tile_size; k < last; ++k) {
+    const Vec3 x(s.x[0][k], s.x[1][k], s.x[2][k]), v(s.v[0][k], s.v[1][k], s.v[2][k]);
+    for (std::size_t b = 0; b < world.bodies.size(); ++b) {
+      const Body& body = world.bodies[b];
+      const double reach =
+          s.radius[k] + 0.5 * world.slack + wall_reach(body, x, v, world.wall_time(), span);
+      const Vec3 in_body = body.pose.rotation.transpose() * (x - body.pose.shift);
+      find_facets(body.facets, in_body, reach, c.facet);
+      if (c.facet.size() == c.first.back()) continue;
+      c.particle.push_back(static_cast<Index>(k));
+      c.body.push_back(static_cast<Index>(b));
+      c.first.push_back(static_cast<Index>(c.facet.size()));
+    }
+  }
+}
+
+// Wall springs follow their particles to their new tiles, in particle order.
+template <class Real>
+void carry_wall_springs(World<Real>& world, const RebuildScratch<Real>& s) {
+  std::vector<WallSpring> all;
+  for (TileWalls& t : world.tile_walls) {
+    all.insert(all.end(), t.springs.begin(), t.springs.end());
+    t.springs.clear();
+  }
+  world.tile_walls.resize(world.tiles());
+  for (WallSpring& spring : all) spring.particle = s.new_of_old[spring.particle];
+  std::stable_sort(all.begin(), all.end(), [](const WallSpring& a, const WallSpring& b) {
+    return a.particle < b.particle;
+  });
+  for (const WallSpring& spring : all) {
+    world.tile_walls[spring.particle / world.tile_size].springs.push_back(spring);
+  }
+}
+
+}  // namespace
+
+void adapt_window(Clock& clock, bool expired) {
+  const std::uint64_t lasted = std::max<std::uint64_t>(clock.total_steps - clock.list_step, 1);
+  const std::uint64_t next = expired ? 2 * clock.list_window : lasted + lasted / 4;
+  clock.list_window = std::clamp(next, kShortestWindow, kLongestWindow);
+}
+
+template <class Real>
+void rebuild(World<Real>& world, Graph& graph, RebuildScratch<Real>& s) {
+  const std::size_t n = world.particles.size();
+  for (std::size_t a = 0; a < 3; ++a) {
+    s.x[a].resize(n);
+    s.v[a].resize(n);
+  }
+  s.radius.resize(n);
+  wrap_positions(world);
+  order_particles(world, graph, s);
+  permute_particles(world, graph, s);
+  carry_wall_springs(world, s);
+
+  const SearchInput in = search_input(world, s);
+  build_grid(in, s.grid);
+  const std::size_t tiles = world.tiles();
+  s.own.resize(tiles);
+  s.imported.resize(tiles);
+  graph.for_each(tiles, [&](std::size_t tile, int) {
+    s.own[tile].clear();
+    const std::size_t first = tile * world.tile_size;
+    find_candidates(in, s.grid, static_cast<Index>(first),
+                    static_cast<Index>(std::min<std::size_t>(n, first + world.tile_size)),
+                    s.own[tile]);
+    if (!world.bodies.empty()) find_wall_candidates(world, s, tile);
+  });
+  import_pairs(world, s);
+  lay_out_pairs(world, graph, s);
+  world.clock.list_step = world.clock.total_steps;
+  world.clock.list_stale = 0;
+  ++world.clock.rebuilds;
+}
+
+template void rebuild(World<float>&, Graph&, RebuildScratch<float>&);
+template void rebuild(World<double>&, Graph&, RebuildScratch<double>&);
+
+}  // namespace quern

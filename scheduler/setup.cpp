@@ -1,0 +1,391 @@
+#include "scheduler/setup.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "kernels/laws/damping.h"
+
+namespace quern {
+
+namespace {
+
+std::size_t material_row(const Scene& scene, const std::string& name) {
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    if (scene.materials[m].name == name) return m;
+  }
+  throw UserError("material '" + name + "' is not defined");
+}
+
+// Diameter bounds of all particles drawn.
+std::pair<double, double> radius_range(std::span<const ParticleSeed> particles) {
+  double low = 1e300, high = 0;
+  for (const ParticleSeed& p : particles) {
+    low = std::min(low, p.radius);
+    high = std::max(high, p.radius);
+  }
+  if (high == 0) throw UserError("the scene has no particles");
+  return {low, high};
+}
+
+class GeometryBuilder {
+ public:
+  GeometryBuilder(const Scene& scene, std::span<const ParticleSeed> particles)
+      : scene_(scene), largest_(radius_range(particles).second) {
+    for (int a = 0; a < 3; ++a) out_.periodic[static_cast<std::size_t>(a)] = scene.domain.periodic[a];
+    if (scene.mill && scene.mill->ends == EndKind::kPeriodic) out_.periodic[2] = true;
+    for (const ParticleSeed& p : particles) {
+      const bool placed = is_explicit(scene, p);
+      if (placed) include(p.position, p.radius);
+    }
+  }
+
+  SceneGeometry build(std::span<const std::vector<Triangle>> meshes) {
+    if (scene_.mill) add_mill(*scene_.mill);
+    for (std::size_t m = 0; m < meshes.size(); ++m) add_mesh(scene_.meshes[m], meshes[m]);
+    for (const BoxSpec& box : scene_.boxes) {
+      for (const Triangle& t : box_faces(box, scene_.run.gravity)) {
+        for (const Vec3& c : t.corner) include(c, largest_);
+      }
+      if (box.open_top) include(0.5 * (box.low + box.high) - rain_height() * down(), largest_);
+      add(box.name, box.material, box.motion, box_faces(box, scene_.run.gravity));
+    }
+    choose_domain();
+    for (const PlaneSpec& plane : scene_.planes) {
+      const Vec3 centre = 0.5 * (out_.low + out_.high);
+      add(plane.name, plane.material, plane.motion,
+          plane_patch(plane, centre, 2 * (out_.high - out_.low).norm()));
+    }
+    for (Pending& p : pending_) {
+      out_.bodies.push_back({p.motion, build_facets(p.components, 3 * largest_), Pose(), {}});
+    }
+    return std::move(out_);
+  }
+
+ private:
+  struct Pending {
+    Motion motion;
+    std::vector<FacetComponent> components;
+  };
+
+  Vec3 down() const { return scene_.run.gravity.normalized(); }
+  double rain_height() const { return 2 * (high_ - low_).norm(); }
+
+  void include(const Vec3& x, double margin) {
+    low_ = low_.cwiseMin(Vec3(x - Vec3::Constant(margin)));
+    high_ = high_.cwiseMax(Vec3(x + Vec3::Constant(margin)));
+    bounded_ = true;
+  }
+
+  void add(const std::string& name, const std::string& material, const Motion& motion,
+           std::vector<Triangle> triangles) {
+    Pending* to = nullptr;
+    for (Pending& p : pending_) {
+      if (p.motion.kind == MotionKind::kFixed && motion.kind == MotionKind::kFixed) to = &p;
+    }
+    add_to(to, name, material, motion, std::move(triangles));
+  }
+
+  void add_to(Pending* to, const std::string& name, const std::string& material,
+              const Motion& motion, std::vector<Triangle> triangles) {
+    if (to == nullptr) {
+      pending_.push_back({motion, {}});
+      to = &pending_.back();
+    }
+    const Index body = static_cast<Index>(to - pending_.data());
+    to->components.push_back({std::move(triangles), static_cast<Index>(out_.walls.size())});
+    out_.walls.push_back(
+        {name, static_cast<std::uint32_t>(material_row(scene_, material)), body});
+  }
+
+  void add_mill(const MillSpec& mill) {
+    Motion motion;
+    motion.kind = MotionKind::kRotation;
+    motion.rate = mill.rotation;
+    // Beyond a wall the shell ends where no particle can see its rim; beyond a periodic end it has
+    // to reach as far as a particle's radius does.
+    const double beyond = mill.ends == EndKind::kOpen ? 0 : 2.5 * largest_;
+    add_to(nullptr, "liner", mill.material, motion,
+           mill_shell(mill, -beyond, mill.length + beyond));
+    if (mill.ends == EndKind::kWalls) {
+      add_to(&pending_.back(), "ends",
+             mill.end_material.empty() ? mill.material : mill.end_material, motion,
+             mill_ends(mill));
+    }
+    const double radius = 0.5 * mill.diameter;
+    include(Vec3(-radius, -radius, 0), 0);
+    include(Vec3(radius, radius, mill.length), 0);
+  }
+
+  void add_mesh(const MeshWallSpec& mesh, const std::vector<Triangle>& triangles) {
+    std::vector<Triangle> all = triangles;
+    double far = 0;
+    for (const Triangle& t : triangles) {
+      for (const Vec3& c : t.corner) {
+        if (mesh.motion.kind == MotionKind::kRotation) {
+          far = std::max(far, (c - mesh.motion.center).norm());
+        }
+        include(c, largest_);
+      }
+    }
+    if (far > 0) include(mesh.motion.center, far + largest_);
+    // Near a periodic face a particle meets the mesh's image as well.
+    for (int a = 0; a < 3; ++a) {
+      if (!out_.periodic[static_cast<std::size_t>(a)] || !scene_.domain.low) continue;
+      const double low = (*scene_.domain.low)[a], high = (*scene_.domain.high)[a];
+      const std::size_t count = all.size();
+      for (std::size_t k = 0; k < count; ++k) add_images(all[k], a, low, high, all);
+    }
+    add(mesh.name, mesh.material, mesh.motion, std::move(all));
+  }
+
+  void add_images(const Triangle t, int axis, double low, double high,
+                  std::vector<Triangle>& to) const {
+    for (const double shift : {low - high, high - low}) {
+      Triangle image = t;
+      double lowest = 1e300, highest = -1e300;
+      for (Vec3& c : image.corner) {
+        c[axis] += shift;
+        lowest = std::min(lowest, c[axis]);
+        highest = std::max(highest, c[axis]);
+      }
+      if (lowest < high + 2.5 * largest_ && highest > low - 2.5 * largest_) to.push_back(image);
+    }
+  }
+
+  void choose_domain() {
+    if (!bounded_ && !(scene_.domain.low && scene_.domain.high)) {
+      throw UserError("the scene has no bounds: give [domain] low and high");
+    }
+    const bool open = !scene_.mill && scene_.meshes.empty() && scene_.boxes.empty();
+    const double extra = open && bounded_ ? 1 + 10 * (high_ - low_).norm() : 0;
+    out_.low = scene_.domain.low.value_or(low_ - Vec3::Constant(extra));
+    out_.high = scene_.domain.high.value_or(high_ + Vec3::Constant(extra));
+    if (scene_.mill && scene_.mill->ends == EndKind::kPeriodic) {
+      out_.low.z() = 0;
+      out_.high.z() = scene_.mill->length;
+    }
+    for (int a = 0; a < 3; ++a) {
+      if (!out_.periodic[static_cast<std::size_t>(a)]) continue;
+      if (out_.high[a] - out_.low[a] < 4 * largest_) {
+        throw UserError("the periodic length along " + std::string(1, "xyz"[a]) +
+                        " is below two diameters of the largest particle");
+      }
+    }
+  }
+
+  const Scene& scene_;
+  double largest_;
+  SceneGeometry out_;
+  std::vector<Pending> pending_;
+  Vec3 low_ = Vec3::Constant(1e300), high_ = Vec3::Constant(-1e300);
+  bool bounded_ = false;
+};
+
+template <class Real>
+LawColumns<Real> law_columns(const Scene& scene, const std::vector<PairValues>& pairs,
+                             double factor) {
+  LawColumns<Real> law;
+  for (const PairValues& p : pairs) {
+    const double zeta = damping_ratio(p.restitution, scene.contact.normal_force);
+    const double kn = factor * p.normal_stiffness, kt = factor * p.tangential_stiffness;
+    const double at = scene.contact.tangential_damping ? 2 * zeta * std::sqrt(kt * 2 / 7) : 0;
+    law.normal_stiffness.push_back(static_cast<Real>(kn));
+    law.tangential_stiffness.push_back(static_cast<Real>(kt));
+    law.normal_damping.push_back(static_cast<Real>(2 * zeta * std::sqrt(kn)));
+    law.tangential_damping.push_back(static_cast<Real>(at));
+    law.sliding_friction.push_back(static_cast<Real>(p.sliding_friction));
+    law.rolling_friction.push_back(static_cast<Real>(p.rolling_friction));
+  }
+  return law;
+}
+
+// The classes of a scene by material and size, each with its lightest member.
+struct AdviceClass {
+  std::string name;
+  std::size_t material = 0;
+  double mass = 0;  // kg; 0: a wall
+};
+
+std::string size_name(const Scene& scene, const ParticleSeed& p) {
+  const ParticleSpec& spec = scene.particles[p.species];
+  char text[96];
+  for (const SizeClass& c : spec.sizes) {
+    if (2 * p.radius < c.from * (1 - 1e-9) || 2 * p.radius > c.to * (1 + 1e-9)) continue;
+    std::snprintf(text, sizeof text, "%s %g-%g mm", spec.name.c_str(), 1e3 * c.from, 1e3 * c.to);
+    return text;
+  }
+  if (spec.diameter) {
+    std::snprintf(text, sizeof text, "%s %g mm", spec.name.c_str(), 2e3 * p.radius);
+    return text;
+  }
+  return spec.name;
+}
+
+std::vector<AdviceClass> advice_classes(const Scene& scene,
+                                        std::span<const ParticleSeed> particles) {
+  std::vector<AdviceClass> classes;
+  std::map<std::string, std::size_t> row;
+  for (const ParticleSeed& p : particles) {
+    const std::string name = size_name(scene, p);
+    const double mass = scene.materials[p.material].density * sphere_volume(p.radius);
+    const auto [at, fresh] = row.emplace(name, classes.size());
+    if (fresh) classes.push_back({name, p.material, mass});
+    classes[at->second].mass = std::min(classes[at->second].mass, mass);
+  }
+  std::vector<std::pair<std::string, std::string>> walls;
+  if (scene.mill) {
+    walls.emplace_back("liner", scene.mill->material);
+    if (scene.mill->ends == EndKind::kWalls && !scene.mill->end_material.empty()) {
+      walls.emplace_back("ends", scene.mill->end_material);
+    }
+  }
+  for (const auto& w : scene.meshes) walls.emplace_back(w.name, w.material);
+  for (const auto& w : scene.planes) walls.emplace_back(w.name, w.material);
+  for (const auto& w : scene.boxes) walls.emplace_back(w.name, w.material);
+  for (const auto& [name, material] : walls) {
+    classes.push_back({name, material_row(scene, material), 0});
+  }
+  return classes;
+}
+
+}  // namespace
+
+std::vector<PairValues> resolve_pairs(const Scene& scene) {
+  const std::size_t n = scene.materials.size();
+  const ContactSpec& c = scene.contact;
+  PairValues base;
+  base.normal_stiffness = c.normal_stiffness.value_or(0);
+  base.tangential_stiffness = c.tangential_stiffness.value_or(0);
+  base.restitution = c.restitution.value_or(1);
+  base.sliding_friction = c.sliding_friction.value_or(0);
+  base.rolling_friction = c.rolling_friction;
+  std::vector<PairValues> table(n * n, base);
+  for (const PairCoefficients& p : c.pairs) {
+    const std::size_t a = material_row(scene, p.a), b = material_row(scene, p.b);
+    for (PairValues* v : {&table[a * n + b], &table[b * n + a]}) {
+      v->normal_stiffness = p.normal_stiffness.value_or(base.normal_stiffness);
+      v->tangential_stiffness = p.tangential_stiffness.value_or(base.tangential_stiffness);
+      v->restitution = p.restitution.value_or(base.restitution);
+      v->sliding_friction = p.sliding_friction.value_or(base.sliding_friction);
+      v->rolling_friction = p.rolling_friction.value_or(base.rolling_friction);
+    }
+  }
+  return table;
+}
+
+std::vector<const Facets*> SceneGeometry::facets() const {
+  std::vector<const Facets*> all;
+  for (const Body& body : bodies) all.push_back(&body.facets);
+  return all;
+}
+
+SceneGeometry build_geometry(const Scene& scene, std::span<const std::vector<Triangle>> meshes,
+                             std::span<const ParticleSeed> particles) {
+  return GeometryBuilder(scene, particles).build(meshes);
+}
+
+std::vector<StepAdvice> advise_steps(const Scene& scene, std::span<const ParticleSeed> particles,
+                                     double dt) {
+  const std::vector<AdviceClass> classes = advice_classes(scene, particles);
+  const std::vector<PairValues> pairs = resolve_pairs(scene);
+  std::vector<StepAdvice> all;
+  for (std::size_t a = 0; a < classes.size(); ++a) {
+    for (std::size_t b = a; b < classes.size(); ++b) {
+      const double ma = classes[a].mass, mb = classes[b].mass;
+      if (ma == 0) continue;
+      const double reduced = mb == 0 ? ma : ma * mb / (ma + mb);
+      const PairValues& v =
+          pairs[classes[a].material * scene.materials.size() + classes[b].material];
+      StepAdvice advice{classes[a].name, classes[b].name, 0, 0, 0};
+      advice.contact_time = contact_time(reduced, v.normal_stiffness);
+      advice.steps_normal = advice.contact_time / dt;
+      advice.steps_tangential =
+          v.tangential_stiffness > 0
+              ? contact_time(reduced * 2 / 7, v.tangential_stiffness) / dt
+              : HUGE_VAL;
+      all.push_back(advice);
+    }
+  }
+  return all;
+}
+
+double choose_time_step(const Scene& scene, std::span<const ParticleSeed> particles) {
+  if (scene.run.time_step) return *scene.run.time_step;
+  double shortest = HUGE_VAL;
+  for (const StepAdvice& a : advise_steps(scene, particles, 1)) {
+    shortest = std::min(shortest, a.contact_time);
+  }
+  return shortest / 25;
+}
+
+template <class Real>
+void set_stiffness(World<Real>& world, const Scene& scene, double factor) {
+  const std::vector<PairValues> pairs = resolve_pairs(scene);
+  world.law = law_columns<Real>(scene, pairs, factor);
+  world.wall_law = law_columns<double>(scene, pairs, factor);
+}
+
+template <class Real>
+void append_particles(World<Real>& world, const Scene& scene,
+                      std::span<const ParticleSeed> seeds) {
+  Particles<Real>& p = world.particles;
+  const std::size_t before = p.size();
+  p.resize(before + seeds.size());
+  for (std::size_t s = 0; s < seeds.size(); ++s) {
+    const ParticleSeed& seed = seeds[s];
+    const std::size_t k = before + s;
+    const Real radius = static_cast<Real>(seed.radius);
+    p.record[k] = {seed.position.x(), seed.position.y(), seed.position.z(),
+                   seed.velocity.x(), seed.velocity.y(), seed.velocity.z(),
+                   static_cast<Real>(seed.spin.x()), static_cast<Real>(seed.spin.y()),
+                   static_cast<Real>(seed.spin.z()), radius};
+    const double mass = scene.materials[seed.material].density *
+                        sphere_volume(static_cast<double>(radius));
+    p.inverse_mass[k] = static_cast<Real>(1 / mass);
+    world.total_mass += 1 / static_cast<double>(p.inverse_mass[k]);
+    p.tag[k] = make_tag(seed.material, 0);
+    p.id[k] = static_cast<Index>(k);
+    p.species[k] = seed.species;
+    p.spin_x[k] = seed.spin.x();
+    p.spin_y[k] = seed.spin.y();
+    p.spin_z[k] = seed.spin.z();
+    p.list_x[k] = p.list_y[k] = p.list_z[k] = 0;
+    p.list_vx[k] = p.list_vy[k] = p.list_vz[k] = 0;
+    p.pair_first[k] = p.pair_count[k] = 0;
+  }
+  world.clock.list_stale = 1;
+}
+
+template <class Real>
+World<Real> make_world(const Scene& scene, SceneGeometry geometry,
+                       std::span<const ParticleSeed> particles) {
+  World<Real> world;
+  world.tile_size = scene.run.tile_size;
+  world.gravity = scene.run.gravity;
+  world.low = geometry.low;
+  world.high = geometry.high;
+  world.periodic = geometry.periodic;
+  world.materials = static_cast<Index>(scene.materials.size());
+  world.clamped = scene.contact.normal_force == NormalForce::kClamped;
+  for (const PairValues& p : resolve_pairs(scene)) {
+    world.rolling = world.rolling || p.rolling_friction > 0;
+  }
+  world.walls = std::move(geometry.walls);
+  world.bodies = std::move(geometry.bodies);
+  world.slack = scene.run.list_slack.value_or(0.2 * radius_range(particles).first);
+  world.clock.dt = choose_time_step(scene, particles);
+  world.pairs.rolling = world.rolling;
+  set_stiffness(world, scene, 1);
+  append_particles(world, scene, particles);
+  return world;
+}
+
+template World<float> make_world(const Scene&, SceneGeometry, std::span<const ParticleSeed>);
+template World<double> make_world(const Scene&, SceneGeometry, std::span<const ParticleSeed>);
+template void append_particles(World<float>&, const Scene&, std::span<const ParticleSeed>);
+template void append_particles(World<double>&, const Scene&, std::span<const ParticleSeed>);
+template void set_stiffness(World<float>&, const Scene&, double);
+template void set_stiffness(World<double>&, const Scene&, double);
+
+}  // namespace quern

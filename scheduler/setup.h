@@ -1,0 +1,59 @@
+// Setup: Scene -> World. Walls and their bodies, the table of coefficients, the domain, the time
+// step and what it means for every pair of sizes.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "scheduler/sizes.h"
+#include "soa/world.h"
+
+namespace quern {
+
+// Coefficients of every ordered pair of materials, row-major.
+struct PairValues {
+  double normal_stiffness = 0, tangential_stiffness = 0;  // N/m
+  double restitution = 1, sliding_friction = 0, rolling_friction = 0;
+};
+std::vector<PairValues> resolve_pairs(const Scene& scene);
+
+// Walls and bodies at t = 0. `meshes` has the triangles of each row of scene.meshes.
+struct SceneGeometry {
+  std::vector<Wall> walls;
+  std::vector<Body> bodies;
+  Vec3 low = Vec3::Zero(), high = Vec3::Zero();  // domain
+  std::array<bool, 3> periodic{};
+  std::vector<const Facets*> facets() const;
+};
+SceneGeometry build_geometry(const Scene& scene, std::span<const std::vector<Triangle>> meshes,
+                             std::span<const ParticleSeed> particles);
+
+// How many steps a contact takes, for one pair of size classes (or a class and a wall).
+struct StepAdvice {
+  std::string a, b;                 // "ore 15-25 mm", "liner"
+  double contact_time = 0;          // s, normal
+  double steps_normal = 0, steps_tangential = 0;
+};
+std::vector<StepAdvice> advise_steps(const Scene& scene, std::span<const ParticleSeed> particles,
+                                     double dt);
+
+inline constexpr double kRefusedSteps = 4.0, kWarnedSteps = 10.0, kAdvisedSteps = 20.0;
+
+// The scene's step, or a 25th of the shortest contact.
+double choose_time_step(const Scene& scene, std::span<const ParticleSeed> particles);
+
+template <class Real>
+World<Real> make_world(const Scene& scene, SceneGeometry geometry,
+                       std::span<const ParticleSeed> particles);
+
+// Adds particles to a running world; they get the next identities. The lists go stale.
+template <class Real>
+void append_particles(World<Real>& world, const Scene& scene,
+                      std::span<const ParticleSeed> particles);
+
+// Fills the tables with stiffness times `factor` (1: the scene's own).
+template <class Real>
+void set_stiffness(World<Real>& world, const Scene& scene, double factor);
+
+}  // namespace quern

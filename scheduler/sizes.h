@@ -1,0 +1,43 @@
+// Sizes: from what the scene asks for to a list of particles with radius, material and species.
+//
+// The list is in the order of the ids: species by species, class by class as the scene lists them;
+// a distribution runs from its coarse end to its fine end. Particle i's diameter is a function of
+// (seed, i) and of its class. Positions are set for explicit particles only; scheduler/fill places
+// the rest. A species' diameters are those of spheres of equal volume.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "soa/scene.h"
+
+namespace quern {
+
+struct ParticleSeed {
+  Vec3 position = Vec3::Zero();  // m
+  Vec3 velocity = Vec3::Zero();  // m/s
+  Vec3 spin = Vec3::Zero();      // rad/s
+  double radius = 0;             // m
+  std::uint16_t material = 0;    // row of scene.materials
+  std::uint16_t species = 0;     // row of scene.particles
+};
+
+// Solid share of the bulk that a filling level counts (porosity 0.4).
+inline constexpr double kBulkSolidFraction = 0.6;
+
+// Amounts: counts are exact; a mass or filling level is met to half a particle, in every class of a
+// list with mass shares (the last class' finest particle for a distribution). A table of passing is
+// cut to its first and last diameter and log-linear between its points; Rosin-Rammler is cut to
+// [from, to]. Throws UserError where the scene contradicts itself (no amount, unknown material
+// ...).
+std::vector<ParticleSeed> draw_sizes(const Scene& scene);
+
+// Name of a species for messages: 'name', or its place in the scene.
+std::string species_label(const Scene& scene, std::size_t species);
+
+// Explicit particles come with their place; all others wait for scheduler/fill.
+bool is_explicit(const Scene& scene, const ParticleSeed& particle);
+
+double sphere_volume(double radius);
+
+}  // namespace quern

@@ -1,0 +1,334 @@
+#include "scheduler/step.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace quern {
+
+namespace {
+
+using Clock_ = std::chrono::steady_clock;
+
+double seconds_since(Clock_::time_point start) {
+  return std::chrono::duration<double>(Clock_::now() - start).count();
+}
+
+template <class Real, class Columns>
+LawTable<Real> table_of(const Columns& law, Index materials) {
+  return {law.normal_stiffness.data(),
+          law.tangential_stiffness.data(),
+          law.normal_damping.data(),
+          law.tangential_damping.data(),
+          law.sliding_friction.data(),
+          law.rolling_friction.data(),
+          materials};
+}
+
+}  // namespace
+
+template <class Real>
+Stepper<Real>::Stepper(World<Real>& world, int threads)
+    : world_(world), graph_(threads), kernels_(choose_kernels<Real>()) {
+  workers_.resize(static_cast<std::size_t>(graph_.threads()));
+  for (Worker& w : workers_) w.rows.reset((world.tile_size + 16u) * kRowWidth);
+}
+
+// Law tables and constants may have changed between steps (phases of settling): cheap, done always.
+template <class Real>
+void Stepper<Real>::prepare() {
+  const auto fill = [&](auto& c) {
+    c.dt = world_.clock.dt;
+    c.clamped = world_.clamped;
+    c.rolling = world_.rolling;
+    c.periodic = false;
+    for (std::size_t a = 0; a < 3; ++a) {
+      const Eigen::Index e = static_cast<Eigen::Index>(a);
+      c.period[a] = world_.periodic[a] ? world_.high[e] - world_.low[e] : 0;
+      c.inverse_period[a] = world_.periodic[a] ? 1 / c.period[a] : 0;
+      c.periodic = c.periodic || world_.periodic[a];
+    }
+  };
+  fill(constants_);
+  fill(wall_constants_);
+  constants_.law = table_of<Real>(world_.law, world_.materials);
+  wall_constants_.law = table_of<double>(world_.wall_law, world_.materials);
+  tile_totals_.resize(world_.tiles());
+  world_.tile_walls.resize(world_.tiles());
+  tile_walls_.resize(world_.tiles() * world_.walls.size());
+  world_.wall_totals.resize(world_.walls.size());
+}
+
+template <class Real>
+void Stepper<Real>::move_walls() {
+  for (Body& body : world_.bodies) {
+    body.pose = pose_at(body.motion, world_.wall_time());
+    body.velocity = WallVelocity();
+    if (world_.moving_walls) {
+      body.velocity = velocity_over(body.motion, world_.wall_time(), world_.clock.dt);
+    }
+  }
+}
+
+template <class Real>
+void Stepper<Real>::run_walls(std::size_t tile, Worker& worker, const TileRows& rows) {
+  TileWalls& walls = world_.tile_walls[tile];
+  const std::span<WallTotal> totals(tile_walls_.data() + tile * world_.walls.size(),
+                                    world_.walls.size());
+  std::fill(totals.begin(), totals.end(), WallTotal());
+  if (walls.candidates.particle.empty() && walls.springs.empty()) return;
+  collect_wall_contacts(world_, tile, worker.lanes);
+  if (worker.lanes.size() == 0) return;
+  const WallContacts contacts = worker.lanes.view(rows.first);
+  const Particles<Real>& p = world_.particles;
+  kernels_.walls(wall_constants_, {p.record.data(), p.inverse_mass.data(), p.tag.data()}, contacts,
+                 rows, tile_totals_[tile].walls);
+  return_wall_contacts(contacts, worker.lanes, world_.walls, world_.bodies, walls, totals);
+}
+
+template <class Real>
+void Stepper<Real>::run_tile(std::size_t tile, int worker) {
+  Particles<Real>& p = world_.particles;
+  Worker& w = workers_[static_cast<std::size_t>(worker)];
+  const std::size_t first = tile * world_.tile_size;
+  const std::size_t size = std::min<std::size_t>(world_.tile_size, p.size() - first);
+  const TileRows rows = {w.rows.data(), static_cast<Index>(first), static_cast<Index>(size)};
+  std::fill_n(w.rows.data(), (size + 16) * kRowWidth, 0.0);
+  TileTotals& totals = tile_totals_[tile];
+  totals = TileTotals();
+
+  run_walls(tile, w, rows);
+
+  PairBatch<Real>& pairs = world_.pairs;
+  const std::size_t begin = pairs.begin[tile];
+  PairView<Real> view{};
+  view.i = pairs.i.data() + begin;
+  view.j = pairs.j.data() + begin;
+  for (std::size_t a = 0; a < 3; ++a) {
+    view.spring[a] = pairs.spring[a].data() + begin;
+    view.force[a] = pairs.force[a].data() + begin;
+    view.moment[a] = pairs.rolling ? pairs.moment[a].data() + begin : nullptr;
+  }
+  view.own = pairs.own_end[tile] - begin;
+  view.all = pairs.begin[tile + 1] - begin;
+  kernels_.pairs(constants_, {p.record.data(), p.inverse_mass.data(), p.tag.data()}, view, rows,
+                 totals.pairs);
+
+  MoveView<Real> m{};
+  m.now = p.record.data();
+  m.next = p.record_next.data();
+  m.inverse_mass = p.inverse_mass.data();
+  m.tag_now = p.tag.data();
+  m.tag_next = p.tag_next.data();
+  Column<double>* spin[3] = {&p.spin_x, &p.spin_y, &p.spin_z};
+  Column<double>* place[3] = {&p.list_x, &p.list_y, &p.list_z};
+  Column<float>* velocity[3] = {&p.list_vx, &p.list_vy, &p.list_vz};
+  for (int a = 0; a < 3; ++a) {
+    m.spin[a] = spin[a]->data();
+    m.list_place[a] = place[a]->data();
+    m.list_velocity[a] = velocity[a]->data();
+    m.gravity[a] = world_.gravity[a];
+    const bool periodic = world_.periodic[static_cast<std::size_t>(a)];
+    m.low[a] = periodic ? -1e30 : world_.low[a];
+    m.high[a] = periodic ? 1e30 : world_.high[a];
+  }
+  const Clock& clock = world_.clock;
+  m.list_time = static_cast<double>(clock.total_steps + 1 - clock.list_step) * clock.dt;
+  m.drag = world_.drag;
+  m.kick = clock.first_kick != 0 ? 0.5 * clock.dt : clock.dt;
+  kernels_.move(m, rows, clock.dt, totals.move);
+}
+
+template <class Real>
+void Stepper<Real>::add_tiles() {
+  StepTotals sum;
+  std::fill(world_.wall_totals.begin(), world_.wall_totals.end(), WallTotal());
+  ContactTally pairs, walls;
+  for (std::size_t tile = 0; tile < tile_totals_.size(); ++tile) {
+    const TileTotals& t = tile_totals_[tile];
+    pairs.add(t.pairs);
+    walls.add(t.walls);
+    sum.translational += t.move.translational;
+    sum.rotational += t.move.rotational;
+    sum.drag_loss += t.move.drag_loss;
+    sum.bad += t.move.bad;
+    sum.max_deviation2 = std::max(sum.max_deviation2, t.move.max_deviation2);
+    for (std::size_t a = 0; a < 3; ++a) {
+      sum.momentum[a] += t.move.momentum[a];
+      sum.moment_of_mass[a] += t.move.moment_of_mass[a];
+    }
+    for (std::size_t w = 0; w < world_.walls.size(); ++w) {
+      const WallTotal& from = tile_walls_[tile * world_.walls.size() + w];
+      WallTotal& to = world_.wall_totals[w];
+      for (std::size_t a = 0; a < 3; ++a) {
+        to.force[a] += from.force[a];
+        to.torque[a] += from.torque[a];
+      }
+      to.work += from.work;
+    }
+  }
+  sum.pair_work = pairs.work;
+  sum.wall_contact_work = walls.work;
+  sum.elastic = pairs.elastic + walls.elastic;
+  sum.slide = pairs.slide + walls.slide;
+  sum.tangential_damping = pairs.tangential_damping + walls.tangential_damping;
+  sum.numerical_loss = pairs.numerical_loss + walls.numerical_loss;
+  sum.pair_contacts = pairs.contacts;
+  sum.wall_contacts = walls.contacts;
+  sum.warnings = pairs.warnings + walls.warnings;
+  sum.max_overlap = std::max(pairs.max_overlap, walls.max_overlap);
+  world_.totals = sum;
+}
+
+// Books the step that has just been evaluated, see "Ledger" in scheduler/README.md.
+template <class Real>
+void Stepper<Real>::account() {
+  const StepTotals& t = world_.totals;
+  Ledger& l = world_.ledger;
+  l.kinetic = t.translational + t.rotational;
+  l.elastic = t.elastic;
+  double wall_work = 0, torque = 0, power = 0;
+  for (std::size_t w = 0; w < world_.walls.size(); ++w) {
+    const Body& body = world_.bodies[world_.walls[w].body];
+    const WallTotal& total = world_.wall_totals[w];
+    wall_work += total.work;
+    const Vec3 force(total.force[0], total.force[1], total.force[2]);
+    const Vec3 moment(total.torque[0], total.torque[1], total.torque[2]);
+    if (body.motion.kind == MotionKind::kRotation) torque += moment.dot(body.motion.axis);
+    power -= force.dot(body.velocity.at(body.motion.center)) + moment.dot(body.velocity.spin);
+  }
+  if (l.open == 0) {
+    l = Ledger();
+    l.open = 1;
+    l.start_kinetic = l.kinetic = t.translational + t.rotational;
+    l.start_elastic = l.elastic = t.elastic;
+  } else {
+    l.wall_work += wall_work;
+    l.abs_wall_work += std::abs(wall_work);
+    l.gravity_work +=
+        world_.clock.dt * (t.momentum[0] * world_.gravity.x() + t.momentum[1] * world_.gravity.y() +
+                           t.momentum[2] * world_.gravity.z());
+    l.contact_work += t.pair_work + t.wall_contact_work;
+    l.slide += t.slide;
+    l.tangential_damping += t.tangential_damping;
+    l.numerical_loss += t.numerical_loss;
+  }
+  Window& w = world_.window;
+  w.steps += 1;
+  w.torque += torque;
+  w.power += power;
+  w.translational += t.translational;
+  w.rotational += t.rotational;
+  w.elastic += t.elastic;
+  w.pair_contacts += t.pair_contacts;
+  w.wall_contacts += t.wall_contacts;
+  w.max_overlap = std::max(w.max_overlap, t.max_overlap);
+  w.warnings += t.warnings;
+  for (std::size_t a = 0; a < 3; ++a) w.moment_of_mass[a] += t.moment_of_mass[a];
+}
+
+template <class Real>
+StepReport Stepper<Real>::judge() const {
+  StepReport report;
+  const StepTotals& t = world_.totals;
+  report.max_overlap = t.max_overlap;
+  report.warnings = static_cast<std::uint64_t>(t.warnings);
+  if (t.warnings > 0) report.bits |= kOverlapWarning;
+  if (t.max_overlap > 1) report.bits |= kDeepOverlap;
+  if (t.bad > 0) report.bits |= kOutside;
+  if (!std::isfinite(t.translational) || !std::isfinite(t.rotational)) report.bits |= kNotFinite;
+  if ((report.bits & kFatalBits) != 0) report.first = find_offender(world_, report.bits);
+  return report;
+}
+
+template <class Real>
+StepReport Stepper<Real>::step() {
+  prepare();
+  Clock& clock = world_.clock;
+  auto start = Clock_::now();
+  const bool rebuilds = clock.list_stale != 0;
+  if (rebuilds) {
+    move_walls();
+    rebuild(world_, graph_, rebuild_);
+    times_.rebuild += seconds_since(start);
+    start = Clock_::now();
+  }
+  move_walls();
+  graph_.for_each(world_.tiles(), [&](std::size_t tile, int worker) { run_tile(tile, worker); });
+  times_.tiles += seconds_since(start);
+  start = Clock_::now();
+  std::swap(world_.particles.record, world_.particles.record_next);
+  std::swap(world_.particles.tag, world_.particles.tag_next);
+  add_tiles();
+  account();
+  StepReport report = judge();
+  report.rebuilt = rebuilds;
+  ++clock.step;
+  ++clock.total_steps;
+  clock.first_kick = 0;
+  const bool expired = clock.total_steps - clock.list_step > clock.list_window;
+  const double allowed = 0.5 * world_.slack;
+  if (expired || world_.totals.max_deviation2 > allowed * allowed) {
+    adapt_window(clock, expired);
+    clock.list_stale = 1;
+  }
+  times_.totals += seconds_since(start);
+  return report;
+}
+
+template <class Real>
+Offender find_offender(const World<Real>& world, std::uint32_t bits) {
+  Offender found;
+  const Particles<Real>& p = world.particles;
+  const auto set = [&](std::size_t k) {
+    found.id = p.id[k];
+    found.position = {p.record[k].x, p.record[k].y, p.record[k].z};
+  };
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    const Record<Real>& r = p.record[k];
+    bool bad = !std::isfinite(r.x + r.y + r.z + r.vx + r.vy + r.vz);
+    const double x[3] = {r.x, r.y, r.z};
+    for (int a = 0; a < 3; ++a) {
+      const bool periodic = world.periodic[static_cast<std::size_t>(a)];
+      bad = bad || (!periodic && !(x[a] >= world.low[a] && x[a] <= world.high[a]));
+    }
+    if (bad && p.id[k] < found.id) set(k);
+  }
+  if (found.id != kNoIndex || (bits & kDeepOverlap) == 0) return found;
+  const PairBatch<Real>& pairs = world.pairs;
+  for (std::size_t k = 0; k < pairs.i.size(); ++k) {
+    const Index i = pairs.i[k], j = pairs.j[k];
+    if (i == j) continue;
+    const Record<Real>&a = p.record[i], &b = p.record[j];
+    double dx[3] = {a.x - b.x, a.y - b.y, a.z - b.z};
+    for (int e = 0; e < 3; ++e) {
+      if (!world.periodic[static_cast<std::size_t>(e)]) continue;
+      const double period = world.high[e] - world.low[e];
+      dx[e] -= period * std::nearbyint(dx[e] / period);
+    }
+    const double overlap = static_cast<double>(a.radius) + static_cast<double>(b.radius) -
+                           std::sqrt(dx[0] * dx[0] + dx[1] * dx[1] + dx[2] * dx[2]);
+    if (overlap / static_cast<double>(a.radius) <= found.overlap) continue;
+    set(i);
+    found.partner = p.id[j];
+    found.overlap = overlap / static_cast<double>(a.radius);
+  }
+  for (const TileWalls& t : world.tile_walls) {
+    for (const WallSpring& s : t.springs) {
+      const double overlap = s.overlap / static_cast<double>(p.record[s.particle].radius);
+      if (overlap <= found.overlap) continue;
+      set(s.particle);
+      found.partner = s.wall;
+      found.partner_is_wall = true;
+      found.overlap = overlap;
+    }
+  }
+  return found;
+}
+
+template class Stepper<float>;
+template class Stepper<double>;
+template Offender find_offender(const World<float>&, std::uint32_t);
+template Offender find_offender(const World<double>&, std::uint32_t);
+
+}  // namespace quern

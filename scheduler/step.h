@@ -1,0 +1,70 @@
+// Stepper: one step of a run, as a list of stages.
+//
+//   lists stale? rebuild -> move walls -> tiles { wall contacts, pair contacts, move, tally }
+//   -> swap -> add up tiles in order -> ledger
+//
+// What each stage reads and writes is in scheduler/README.md. The stepper owns scratch only: all
+// state is in the World, and the result does not depend on the number of threads.
+#pragma once
+
+#include <vector>
+
+#include "kernels/contact.h"
+#include "kernels/wall_contacts.h"
+#include "scheduler/graph.h"
+#include "scheduler/rebuild.h"
+#include "soa/world.h"
+
+namespace quern {
+
+// Seconds of wall clock since the stepper was made.
+struct StageTimes {
+  double rebuild = 0, tiles = 0, totals = 0;
+};
+
+template <class Real>
+class Stepper {
+ public:
+  Stepper(World<Real>& world, int threads);
+
+  StepReport step();
+
+  Graph& graph() { return graph_; }
+  const StageTimes& times() const { return times_; }
+  const char* target() const { return kernels_.target; }
+
+ private:
+  struct Worker {
+    Column<double> rows;
+    WallLanes lanes;
+  };
+  struct TileTotals {
+    ContactTally pairs, walls;
+    MoveTally move;
+  };
+
+  void prepare();
+  void move_walls();
+  void run_tile(std::size_t tile, int worker);
+  void run_walls(std::size_t tile, Worker& worker, const TileRows& rows);
+  void add_tiles();
+  void account();
+  StepReport judge() const;
+
+  World<Real>& world_;
+  Graph graph_;
+  Kernels<Real> kernels_;
+  RebuildScratch<Real> rebuild_;
+  StepConstants<Real> constants_{};
+  StepConstants<double> wall_constants_{};
+  std::vector<Worker> workers_;
+  std::vector<TileTotals> tile_totals_;
+  std::vector<WallTotal> tile_walls_;  // tiles x walls
+  StageTimes times_;
+};
+
+// The first particle that makes `bits` true, found by looking at all of them: for error messages.
+template <class Real>
+Offender find_offender(const World<Real>& world, std::uint32_t bits);
+
+}  // namespace quern

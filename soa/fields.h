@@ -1,0 +1,25 @@
+// THE table of particle columns: everything a run knows of a particle, one line each.
+//
+//   X(type, name, unit, doc)
+//
+// Particles declares its members from this table, permutes by it and is saved by it; `quern info`
+// prints it. To store another quantity, add a line. `Real` is float in `mixed`, double in `double`.
+#pragma once
+
+#define QUERN_PARTICLE_FIELDS(X)                                                               \
+  X(Record<Real>, record, "m, m/s, rad/s, m", "place, half-step velocity, spin, radius")       \
+  X(Real, inverse_mass, "1/kg", "0 for nothing that moves")                                    \
+  X(std::uint32_t, tag, "1", "material (low 16 bits), contacts of the last step (high 16)")    \
+  X(Index, id, "1", "identity for life, 0 ... n-1")                                            \
+  X(std::uint16_t, species, "1", "row of the scene's [[particles]]")                           \
+  X(double, spin_x, "rad/s", "half-step spin in full precision")                               \
+  X(double, spin_y, "rad/s", "half-step spin in full precision")                               \
+  X(double, spin_z, "rad/s", "half-step spin in full precision")                               \
+  X(double, list_x, "m", "place when the lists were built")                                    \
+  X(double, list_y, "m", "place when the lists were built")                                    \
+  X(double, list_z, "m", "place when the lists were built")                                    \
+  X(float, list_vx, "m/s", "velocity the lists were built with")                               \
+  X(float, list_vy, "m/s", "velocity the lists were built with")                               \
+  X(float, list_vz, "m/s", "velocity the lists were built with")                               \
+  X(Index, pair_first, "1", "first own slot in the pair batch")                                \
+  X(Index, pair_count, "1", "own slots in the pair batch")

@@ -1,0 +1,120 @@
+#include "soa/hash.h"
+
+#include <algorithm>
+#include <bit>
+#include <vector>
+
+namespace quern {
+
+namespace {
+
+class Hasher {
+ public:
+  void add(std::uint64_t word) {
+    state_ = (state_ ^ word) * 0x100000001b3u;
+    state_ ^= state_ >> 29;
+  }
+  void add(double v) { add(std::bit_cast<std::uint64_t>(v)); }
+  void add(float v) { add(std::uint64_t{std::bit_cast<std::uint32_t>(v)}); }
+  void add(const Vec3& v) {
+    for (int a = 0; a < 3; ++a) add(v[a]);
+  }
+  std::uint64_t result() const {
+    std::uint64_t z = state_ * 0x9e3779b97f4a7c15u;
+    return z ^ (z >> 32);
+  }
+
+ private:
+  std::uint64_t state_ = 0xcbf29ce484222325u;
+};
+
+struct Key {
+  std::uint64_t a, b;
+  Index slot, tile;
+  bool operator<(const Key& o) const { return a != o.a ? a < o.a : b < o.b; }
+};
+
+template <class Real>
+void add_particles(const World<Real>& world, Hasher& h) {
+  const Particles<Real>& p = world.particles;
+  std::vector<Index> row(p.size());
+  for (std::size_t k = 0; k < p.size(); ++k) row[p.id[k]] = static_cast<Index>(k);
+  for (const Index k : row) {
+    const Record<Real>& r = p.record[k];
+    for (const double v : {r.x, r.y, r.z, r.vx, r.vy, r.vz}) h.add(v);
+    for (const double v : {p.spin_x[k], p.spin_y[k], p.spin_z[k]}) h.add(v);
+    h.add(r.radius);
+    h.add(std::uint64_t{p.tag[k]});
+  }
+}
+
+template <class Real>
+void add_pairs(const World<Real>& world, Hasher& h) {
+  const PairBatch<Real>& pairs = world.pairs;
+  std::vector<Key> keys;
+  for (std::size_t tile = 0; tile + 1 < pairs.begin.size(); ++tile) {
+    for (Index k = pairs.begin[tile]; k < pairs.own_end[tile]; ++k) {
+      bool open = false;
+      for (int a = 0; a < 3; ++a) open = open || pairs.force[a][k] != 0 || pairs.spring[a][k] != 0;
+      if (open) keys.push_back({world.particles.id[pairs.i[k]], world.particles.id[pairs.j[k]], k, 0});
+    }
+  }
+  std::sort(keys.begin(), keys.end());
+  for (const Key& key : keys) {
+    h.add(key.a << 32 | key.b);
+    for (int a = 0; a < 3; ++a) {
+      h.add(pairs.spring[a][key.slot]);
+      h.add(pairs.force[a][key.slot]);
+      if (pairs.rolling) h.add(pairs.moment[a][key.slot]);
+    }
+  }
+}
+
+template <class Real>
+void add_walls(const World<Real>& world, Hasher& h) {
+  std::vector<Key> keys;
+  for (std::size_t tile = 0; tile < world.tile_walls.size(); ++tile) {
+    const std::vector<WallSpring>& springs = world.tile_walls[tile].springs;
+    for (std::size_t k = 0; k < springs.size(); ++k) {
+      const WallSpring& s = springs[k];
+      keys.push_back({world.particles.id[s.particle],
+                      std::uint64_t{s.wall} << 32 | s.feature, static_cast<Index>(k),
+                      static_cast<Index>(tile)});
+    }
+  }
+  std::sort(keys.begin(), keys.end());
+  for (const Key& key : keys) {
+    const WallSpring& s = world.tile_walls[key.tile].springs[key.slot];
+    h.add(key.a);
+    h.add(key.b);
+    for (const Vec3* v : {&s.spring, &s.force, &s.moment, &s.normal, &s.point}) h.add(*v);
+    h.add(s.overlap);
+  }
+}
+
+}  // namespace
+
+template <class Real>
+std::uint64_t state_hash(const World<Real>& world) {
+  Hasher h;
+  add_particles(world, h);
+  add_pairs(world, h);
+  add_walls(world, h);
+  h.add(world.clock.step);
+  h.add(world.clock.total_steps);
+  for (const Body& body : world.bodies) {
+    for (int k = 0; k < 9; ++k) h.add(body.pose.rotation(k / 3, k % 3));
+    h.add(body.pose.shift);
+  }
+  const Ledger& l = world.ledger;
+  for (const double v : {l.kinetic, l.elastic, l.wall_work, l.gravity_work, l.contact_work, l.slide,
+                         l.tangential_damping, l.numerical_loss}) {
+    h.add(v);
+  }
+  return h.result();
+}
+
+template std::uint64_t state_hash(const World<float>&);
+template std::uint64_t state_hash(const World<double>&);
+
+}  // namespace quern

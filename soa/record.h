@@ -1,0 +1,35 @@
+// Record: the one cache line a contact needs of a random partner.
+//
+// Structure of arrays is the rule; this is its one measured exception: a lane that meets a random
+// partner fetches one line instead of ten. Positions and velocities are f64, so that differences of
+// neighbours are exact to 1e-15 m and 1e-15 m/s wherever the mill stands and however fast its bed
+// travels; spin and radius have the precision of the force law (Real).
+//
+//   bytes (mixed)   0      24      48     60     64
+//                   x y z  v v v   w w w  radius
+//
+// Two copies exist, now and next: tiles read now (their own and their halo's) and write next.
+#pragma once
+
+#include "soa/base.h"
+
+namespace quern {
+
+template <class Real>
+struct Record {
+  double x, y, z;     // m
+  double vx, vy, vz;  // m/s, at the half step before
+  Real wx, wy, wz;    // rad/s, at the half step before
+  Real radius;        // m
+};
+static_assert(sizeof(Record<float>) == 64);
+static_assert(sizeof(Record<double>) == 80);
+
+// tag: material in the low half, number of contacts of the last step in the high half.
+inline std::uint32_t make_tag(std::uint32_t material, std::uint32_t contacts) {
+  return material | (contacts << 16);
+}
+inline std::uint32_t tag_material(std::uint32_t tag) { return tag & 0xffffu; }
+inline std::uint32_t tag_contacts(std::uint32_t tag) { return tag >> 16; }
+
+}  // namespace quern

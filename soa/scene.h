@@ -1,0 +1,200 @@
+// Scene: what the user asked for, in SI, after reading and before any particle exists.
+//
+// io/scene_reader fills it from TOML, scheduler/setup turns it into a World; tests build it by hand.
+// It is plain data: no behaviour beyond lookups. Every default stands here and nowhere else.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "soa/base.h"
+
+namespace quern {
+
+enum class Precision { kMixed, kDouble };
+enum class NormalForce { kClamped, kUnclamped };
+enum class EndKind { kWalls, kPeriodic, kOpen };
+enum class StartKind { kFill, kFile };
+enum class FillMethod { kSegment, kRandom, kRain };
+enum class SettleKind { kNone, kDuration, kUntilRest };
+
+// A rate over time: linear between (time, value) points, constant before the first and after the
+// last. A constant is one point. Values: rad/s for rotation, m/s for translation.
+struct Schedule {
+  struct Point {
+    double time = 0;
+    double value = 0;
+  };
+  std::vector<Point> points = {{0, 0}};
+};
+
+enum class MotionKind { kFixed, kRotation, kTranslation, kOscillation };
+
+// How a wall moves from t = 0 on (it stands still while the charge settles).
+//   rotation     by the right-hand rule about `axis` through `center` at rate(t) [rad/s]
+//   translation  along `axis` (unit) at rate(t) [m/s]
+//   oscillation  displacement amplitude * sin(2 pi frequency t) along `axis`
+struct Motion {
+  MotionKind kind = MotionKind::kFixed;
+  Vec3 axis = Vec3::UnitZ();
+  Vec3 center = Vec3::Zero();
+  Schedule rate;
+  double amplitude = 0;  // m
+  double frequency = 0;  // Hz
+};
+
+struct Material {
+  std::string name;
+  double density = 0;   // kg/m^3; 0 is allowed for materials that only walls use
+  double hardness = 0;  // Vickers, HV; 0: not given
+};
+
+// Coefficients of a pair of materials; what is absent falls back to ContactSpec's defaults.
+struct PairCoefficients {
+  std::string a, b;
+  std::optional<double> normal_stiffness, tangential_stiffness;  // N/m
+  std::optional<double> restitution, sliding_friction, rolling_friction;
+};
+
+struct ContactSpec {
+  std::string law = "linear-spring-dashpot";
+  NormalForce normal_force = NormalForce::kClamped;
+  bool tangential_damping = true;
+  std::optional<double> normal_stiffness, tangential_stiffness;  // N/m
+  std::optional<double> restitution, sliding_friction;
+  double rolling_friction = 0;
+  std::vector<PairCoefficients> pairs;
+};
+
+struct LifterSpec {
+  int count = 0;
+  double height = 0;      // m, on the mid-plane
+  double face_angle = 0;  // rad, of both faces from the mid-plane (the base is the wider end)
+  double top_width = 0;   // m
+};
+
+// A mill by its numbers: axis +z through the origin, z from 0 to length (cases.md conventions).
+struct MillSpec {
+  std::string material;
+  std::string end_material;  // empty: material
+  double diameter = 0, length = 0;  // m
+  EndKind ends = EndKind::kWalls;
+  int pieces_per_arc = 4;  // straight pieces of the shell between two lifters (all around: none)
+  std::optional<LifterSpec> lifters;
+  Schedule rotation;  // rad/s; positive: counterclockwise seen from +z
+};
+
+struct MeshWallSpec {
+  std::string name, path, material;
+  double scale = 1;  // file units to m
+  Motion motion;
+};
+
+struct PlaneSpec {
+  std::string name, material;
+  Vec3 point = Vec3::Zero(), normal = Vec3::UnitZ();  // the normal points to the charge
+  Motion motion;
+};
+
+// A closed or open box, walls facing inwards.
+struct BoxSpec {
+  std::string name, material;
+  Vec3 low = Vec3::Zero(), high = Vec3::Zero();
+  bool open_top = false;  // no face against gravity
+  Motion motion;
+};
+
+// One size class: diameters uniform in [from, to]. Exactly one of count, mass_share is set.
+struct SizeClass {
+  double from = 0, to = 0;  // m
+  std::optional<long> count;
+  std::optional<double> mass_share;  // of the species' mass
+};
+
+enum class DistributionKind { kNone, kPassingTable, kRosinRammler };
+
+// Cumulative mass passing over diameter. Table: (diameter, passing 0..1), log-linear between.
+// Rosin-Rammler: passing = 1 - exp(-(d/d63)^n), cut to [from, to].
+struct SizeDistribution {
+  DistributionKind kind = DistributionKind::kNone;
+  std::vector<std::pair<double, double>> passing;
+  double d63 = 0, exponent = 0, from = 0, to = 0;
+};
+
+struct ExplicitParticle {
+  Vec3 position = Vec3::Zero(), velocity = Vec3::Zero(), spin = Vec3::Zero();
+  double diameter = 0;
+};
+
+// A species of particles ("[[particles]]"). Sizes come from exactly one of: diameter, sizes,
+// distribution, explicit_particles, csv. Amount from exactly one of: count, mass, filling_level,
+// the counts inside sizes, or the explicit list.
+struct ParticleSpec {
+  std::string name, material;
+  std::string shape = "sphere";
+  std::optional<double> diameter;  // m
+  std::vector<SizeClass> sizes;
+  SizeDistribution distribution;
+  std::optional<long> count;
+  std::optional<double> mass;           // kg
+  std::optional<double> filling_level;  // share of the mill's volume taken by the bulk, porosity 0.4
+  std::vector<ExplicitParticle> explicit_particles;  // also filled from `csv` by the reader
+  std::string csv;
+};
+
+struct FillSpec {
+  FillMethod method = FillMethod::kSegment;
+  // Where particles may be placed; default: inside the mill, the box or the domain.
+  std::optional<Vec3> low, high;
+  double max_fraction = 0.42;  // solid fraction aimed at in the segment
+  double over = 0;             // kRain: inserted from above over this time (s)
+  Vec3 velocity = Vec3::Zero();
+};
+
+struct RunSpec {
+  std::string title;
+  std::optional<double> duration;     // s after t = 0
+  std::optional<double> revolutions;  // of the mill after t = 0
+  std::optional<double> record_from, record_from_revolution;
+  std::optional<double> time_step;  // s; default: smallest contact time / 25
+  std::uint64_t seed = 1;
+  Vec3 gravity{0, -9.81, 0};
+  SettleKind settle = SettleKind::kNone;
+  double settle_time = 0;       // kDuration: total; kUntilRest: the most allowed (0: automatic)
+  double soft_stiffness = 0.01;  // stiffness factor of the soft phase; 1: no soft phase
+  StartKind start = StartKind::kFill;
+  std::string start_file;
+  Precision precision = Precision::kMixed;
+  Index tile_size = 1024;
+  std::optional<double> list_slack;  // m
+};
+
+struct DomainSpec {
+  std::optional<Vec3> low, high;  // default: bounds of walls and particles
+  bool periodic[3] = {false, false, false};
+};
+
+struct OutputSpec {
+  double series_every = 0;      // s; 0: 1/1000 of the duration
+  double frames_every = 0;      // s; 0: no frames
+  double checkpoint_every = 600;  // s of wall clock
+};
+
+struct Scene {
+  RunSpec run;
+  DomainSpec domain;
+  ContactSpec contact;
+  std::vector<Material> materials;
+  std::optional<MillSpec> mill;
+  std::vector<MeshWallSpec> meshes;
+  std::vector<PlaneSpec> planes;
+  std::vector<BoxSpec> boxes;
+  FillSpec fill;
+  std::vector<ParticleSpec> particles;
+  OutputSpec output;
+  std::string text;      // the scene as read, for provenance
+  std::string folder;    // relative paths start here
+};
+
+}  // namespace quern

@@ -1,0 +1,22 @@
+// StateVisitor: one enumeration of a run's state, used to write, to read and to describe it.
+//
+// World::visit() names every column and value once; a checkpoint writer, a checkpoint reader and
+// `quern info` are visitors. A reader resizes columns to what it finds. Names use '/' for groups.
+#pragma once
+
+#include "soa/column.h"
+
+namespace quern {
+
+class StateVisitor {
+ public:
+  virtual ~StateVisitor() = default;
+  // `components` > 1: rows of that many elements (column.size() is a multiple of it).
+  virtual void column(const char* name, const char* unit, ColumnBase& column,
+                      std::size_t components) = 0;
+  // A fixed-size block of numbers outside columns.
+  virtual void values(const char* name, const char* unit, ElementType type, void* data,
+                      std::size_t count) = 0;
+};
+
+}  // namespace quern

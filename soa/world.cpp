@@ -1,0 +1,100 @@
+// Enumeration of a World's state: columns as they are, tile walls packed into columns for the time of
+// the visit. Visiting to write and visiting to read are the same code.
+#include "soa/world.h"
+
+#include <cstring>
+
+namespace quern {
+
+template <class Real>
+typename World<Real>::PackedWalls World<Real>::pack_walls() const {
+  PackedWalls p;
+  std::size_t springs = 0, entries = 0, facets = 0;
+  for (const TileWalls& t : tile_walls) {
+    springs += t.springs.size();
+    entries += t.candidates.particle.size();
+    facets += t.candidates.facet.size();
+  }
+  p.spring_bytes.reset(springs * sizeof(WallSpring));
+  p.spring_tile.reset(springs);
+  for (Column<Index>* c : {&p.entry_tile, &p.entry_particle, &p.entry_body, &p.entry_facets}) {
+    c->reset(entries);
+  }
+  p.facet.reset(facets);
+  std::size_t s = 0, e = 0, f = 0;
+  for (std::size_t tile = 0; tile < tile_walls.size(); ++tile) {
+    const TileWalls& t = tile_walls[tile];
+    for (const WallSpring& spring : t.springs) {
+      std::memcpy(p.spring_bytes.data() + s * sizeof(WallSpring), &spring, sizeof(WallSpring));
+      p.spring_tile[s++] = static_cast<Index>(tile);
+    }
+    const WallCandidates& c = t.candidates;
+    for (std::size_t k = 0; k < c.particle.size(); ++k) {
+      p.entry_tile[e] = static_cast<Index>(tile);
+      p.entry_particle[e] = c.particle[k];
+      p.entry_body[e] = c.body[k];
+      p.entry_facets[e++] = c.first[k + 1] - c.first[k];
+    }
+    for (Index facet : c.facet) p.facet[f++] = facet;
+  }
+  return p;
+}
+
+template <class Real>
+void World<Real>::unpack_walls(const PackedWalls& p) {
+  tile_walls.assign(tiles(), TileWalls());
+  for (TileWalls& t : tile_walls) t.candidates.first.push_back(0);
+  for (std::size_t s = 0; s < p.spring_tile.size(); ++s) {
+    WallSpring spring;
+    std::memcpy(static_cast<void*>(&spring), p.spring_bytes.data() + s * sizeof(WallSpring),
+                sizeof(WallSpring));
+    tile_walls.at(p.spring_tile[s]).springs.push_back(spring);
+  }
+  std::size_t f = 0;
+  for (std::size_t e = 0; e < p.entry_tile.size(); ++e) {
+    WallCandidates& c = tile_walls.at(p.entry_tile[e]).candidates;
+    c.particle.push_back(p.entry_particle[e]);
+    c.body.push_back(p.entry_body[e]);
+    for (Index k = 0; k < p.entry_facets[e]; ++k) c.facet.push_back(p.facet[f++]);
+    c.first.push_back(static_cast<Index>(c.facet.size()));
+  }
+}
+
+template <class Real>
+void World<Real>::visit(StateVisitor& v) {
+  particles.visit(v);
+  pairs.visit(v);
+  PackedWalls packed = pack_walls();
+  v.column("walls/springs", "m, N, N m", packed.spring_bytes, sizeof(WallSpring));
+  v.column("walls/spring_tile", "1", packed.spring_tile, 1);
+  v.column("walls/entry_tile", "1", packed.entry_tile, 1);
+  v.column("walls/entry_particle", "1", packed.entry_particle, 1);
+  v.column("walls/entry_body", "1", packed.entry_body, 1);
+  v.column("walls/entry_facets", "1", packed.entry_facets, 1);
+  v.column("walls/facet", "1", packed.facet, 1);
+  unpack_walls(packed);
+  const auto block = [&](const char* name, const char* unit, auto& data, ElementType type) {
+    v.values(name, unit, type, &data, sizeof(data) / 8);
+  };
+  block("clock", "1, s", clock, ElementType::kU64);
+  block("ledger", "J", ledger, ElementType::kF64);
+  block("window", "sums over steps", window, ElementType::kF64);
+  block("totals", "sums over the scene", totals, ElementType::kF64);
+  Column<double> wall_numbers;
+  constexpr std::size_t kWidth = sizeof(WallTotal) / sizeof(double);
+  wall_numbers.reset(wall_totals.size() * kWidth);
+  if (!wall_totals.empty()) {
+    std::memcpy(wall_numbers.data(), wall_totals.data(), wall_totals.size() * sizeof(WallTotal));
+  }
+  v.column("walls/totals", "N, N m, J", wall_numbers, kWidth);
+  wall_totals.resize(wall_numbers.size() / kWidth);
+  if (!wall_totals.empty()) {
+    std::memcpy(static_cast<void*>(wall_totals.data()), wall_numbers.data(),
+                wall_totals.size() * sizeof(WallTotal));
+  }
+}
+
+template struct World<float>;
+template struct World<double>;
+
+}  // namespace quern

@@ -1,0 +1,157 @@
+// World: the whole state of a run, and nothing else.
+//
+// scheduler/setup makes it from a Scene, scheduler/step advances it, visit() enumerates it for
+// checkpoints. What can be recomputed from the scene (materials, facets, tables) is not saved; what
+// the next bit of the run depends on is, list order included, so that a resumed run is the same run.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "soa/facets.h"
+#include "soa/motion.h"
+#include "soa/pairs.h"
+#include "soa/particles.h"
+#include "soa/report.h"
+#include "soa/wall_spring.h"
+
+namespace quern {
+
+// A wall is what forces are booked on; walls with one motion share a body and its facets.
+struct Wall {
+  std::string name;
+  std::uint32_t material = 0;
+  Index body = 0;
+};
+
+struct Body {
+  Motion motion;
+  Facets facets;
+  Pose pose;               // now
+  WallVelocity velocity;   // over the last step
+};
+
+// Symmetric coefficients of every ordered pair of materials; damping as a = 2 zeta sqrt(k).
+template <class Real>
+struct LawColumns {
+  std::vector<Real> normal_stiffness, tangential_stiffness, normal_damping, tangential_damping,
+      sliding_friction, rolling_friction;
+};
+
+// Which facets a particle may meet before the next rebuild.
+struct WallCandidates {
+  std::vector<Index> particle, body;  // one entry per particle and body
+  std::vector<Index> first;           // entries + 1, into facet
+  std::vector<Index> facet;
+};
+
+struct TileWalls {
+  WallCandidates candidates;
+  std::vector<WallSpring> springs;  // open contacts, by particle
+};
+
+// Force and torque (about the wall's motion centre) of the charge on a wall, and the wall's power.
+struct WallTotal {
+  std::array<double, 3> force{}, torque{};
+  double work = 0;  // J, by the wall on the charge in the last step
+};
+
+// Everything a step adds up over the scene. Energies in J.
+struct StepTotals {
+  double pair_work = 0, wall_contact_work = 0;  // contact forces on relative motion, last step
+  double elastic = 0;
+  double slide = 0, tangential_damping = 0, numerical_loss = 0;
+  double pair_contacts = 0, wall_contacts = 0, warnings = 0, max_overlap = 0;
+  double translational = 0, rotational = 0, drag_loss = 0;
+  std::array<double, 3> momentum{}, moment_of_mass{};
+  double max_deviation2 = 0, bad = 0;
+};
+
+// The energy account since it was opened; see scheduler/README.md.
+struct Ledger {
+  double open = 0;  // 1 once the opening energies are known
+  double start_kinetic = 0, start_elastic = 0;
+  double kinetic = 0, elastic = 0;  // now
+  double wall_work = 0, gravity_work = 0, contact_work = 0;
+  double slide = 0, tangential_damping = 0, numerical_loss = 0;
+  double abs_wall_work = 0;
+  double dissipated() const { return -contact_work - (elastic - start_elastic); }
+  double normal_damping() const { return dissipated() - slide - tangential_damping; }
+};
+
+// Sums over steps since the last series row.
+struct Window {
+  double steps = 0;
+  double torque = 0, power = 0;  // about the mill axis
+  double translational = 0, rotational = 0, elastic = 0;
+  double pair_contacts = 0, wall_contacts = 0, max_overlap = 0, warnings = 0;
+  std::array<double, 3> moment_of_mass{};
+  double dissipated = 0;
+};
+
+enum class Phase : std::uint32_t { kSoft, kSettle, kRun };
+
+// Plain numbers that the next step depends on; saved as one block.
+struct Clock {
+  std::uint64_t step = 0;        // of this phase
+  std::uint64_t total_steps = 0; // of all phases
+  std::uint64_t phase = 0;       // row of the run's list of phases
+  double dt = 0;                 // s, of this phase
+  std::uint64_t list_step = 0;   // total_steps when the lists were built
+  std::uint64_t list_window = 20;  // steps the lists were built for
+  std::uint64_t list_stale = 1;
+  std::uint64_t rebuilds = 0;
+  std::uint64_t first_kick = 1;  // the next step starts from full-step velocities
+  std::uint64_t inserted = 0;    // particles inserted so far (rain)
+};
+
+template <class Real>
+struct World {
+  // From the scene; constant.
+  Index tile_size = 1024;
+  double slack = 0;  // m, list slack
+  Vec3 gravity = Vec3::Zero();
+  Vec3 low = Vec3::Zero(), high = Vec3::Zero();  // domain
+  std::array<bool, 3> periodic{};
+  Index materials = 1;
+  LawColumns<Real> law;
+  LawColumns<double> wall_law;
+  bool clamped = true, rolling = false;
+  std::vector<Wall> walls;
+  std::vector<Body> bodies;
+  double total_mass = 0;
+  double stiffness_factor = 1;  // of the soft phase
+  double drag = 1;              // velocity factor of the soft phase
+
+  // State.
+  Particles<Real> particles;
+  PairBatch<Real> pairs;
+  std::vector<TileWalls> tile_walls;
+  std::vector<WallTotal> wall_totals;
+  StepTotals totals;
+  Ledger ledger;
+  Window window;
+  Clock clock;
+
+  std::size_t tiles() const { return (particles.size() + tile_size - 1) / tile_size; }
+  // t = 0 when the walls start to move; settling has its own clock before it.
+  double time() const { return static_cast<double>(clock.step) * clock.dt; }
+
+  // The clock of the walls: they stand still while the charge settles.
+  bool moving_walls = false;
+  double wall_time() const { return moving_walls ? time() : 0; }
+
+  // `pack` and `unpack` put tile_walls into columns and back; the lists of candidates are saved too.
+  void visit(StateVisitor& v);
+
+ private:
+  struct PackedWalls {
+    Column<std::uint8_t> spring_bytes;
+    Column<Index> spring_tile, entry_tile, entry_particle, entry_body, entry_facets, facet;
+  };
+  PackedWalls pack_walls() const;
+  void unpack_walls(const PackedWalls& packed);
+};
+
+}  // namespace quern

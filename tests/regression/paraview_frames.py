@@ -1,0 +1,136 @@
+"""Opens a run's frames in ParaView, checks times and counts, and renders the last one to a PNG.
+
+usage: xvfb-run -a pvbatch paraview_frames.py FRAMES_FOLDER PICTURE.png [PARTICLES]
+
+Loads particles.hdf.series and liner.hdf.series the way the file dialog does. The times are compared
+with the series files, the number of particles of each frame with PARTICLES if given; every field must
+be there. The picture is seen along -z, in perspective so that the shell shows: spheres of their true
+size coloured by speed, the liner as a translucent surface. A picture of one colour only means that
+nothing was drawn and counts as a failure. Exits 1 on any failure.
+"""
+
+import json
+import os
+import sys
+
+import paraview.simple as pv
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+
+def fail(message):
+    print(f"error: {message}", file=sys.stderr)
+    sys.stderr.flush()
+    os._exit(1)  # pvbatch turns sys.exit into 0
+
+
+def load(folder, name):
+    """Reader of a series, and the times it should have; (None, []) if there is none."""
+    path = os.path.join(folder, f"{name}.hdf.series")
+    if not os.path.isfile(path):
+        return None, []
+    with open(path, encoding="utf-8") as file:
+        times = [entry["time"] for entry in json.load(file)["files"]]
+    reader = pv.OpenDataFile(path)
+    if reader is None:
+        fail(f"ParaView does not open {path}")
+    reader.UpdatePipelineInformation()
+    found = reader.TimestepValues
+    found = list(found) if hasattr(found, "__len__") else [found]
+    if found != times:
+        fail(f"{path}: ParaView finds the times {found}, the series has {times}")
+    return reader, times
+
+
+def check_particles(reader, times, expected):
+    for time in times:
+        reader.UpdatePipeline(time)
+        info = reader.GetDataInformation()
+        points, cells = info.GetNumberOfPoints(), info.GetNumberOfCells()
+        if points != cells or (expected is not None and points != expected):
+            fail(f"t = {time}: {points} points and {cells} cells, expected {expected}")
+        for name, components in (("radius", 1), ("velocity", 3), ("speed", 1), ("spin", 3),
+                                 ("id", 1), ("species", 1), ("contacts", 1)):
+            array = reader.PointData.GetArray(name)
+            if array is None or array.GetNumberOfComponents() != components:
+                fail(f"t = {time}: no point data '{name}' of {components} components")
+        low, high = reader.PointData.GetArray("radius").GetRange()
+        if not 0 < low <= high:
+            fail(f"t = {time}: radii from {low} to {high}")
+        print(f"t = {time}: {points} particles, radius {low} ... {high} m")
+
+
+def check_liner(reader, times):
+    for time in times:
+        reader.UpdatePipeline(time)
+        if reader.GetDataInformation().GetNumberOfCells() == 0:
+            fail(f"t = {time}: the liner is empty")
+        for name in ("wall", "speed"):
+            if reader.CellData.GetArray(name) is None:
+                fail(f"t = {time}: no cell data '{name}'")
+
+
+def render(particles, liner, time, picture):
+    view = pv.CreateRenderView()
+    view.ViewSize = [1000, 1000]
+    view.ViewTime = time
+    view.Background = [1, 1, 1]
+    view.UseColorPaletteForBackground = 0
+    spheres = pv.Glyph(Input=particles, GlyphType="Sphere")
+    spheres.GlyphType.Radius = 1.0
+    spheres.GlyphType.ThetaResolution = spheres.GlyphType.PhiResolution = 16
+    spheres.ScaleArray = ["POINTS", "radius"]
+    spheres.ScaleFactor = 1.0
+    spheres.OrientationArray = ["POINTS", "No orientation array"]
+    spheres.GlyphMode = "All Points"
+    shown = pv.Show(spheres, view)
+    pv.ColorBy(shown, ("POINTS", "speed"))
+    shown.RescaleTransferFunctionToDataRange(True)
+    shown.SetScalarBarVisibility(view, True)
+    bar = pv.GetScalarBar(pv.GetColorTransferFunction("speed"), view)
+    bar.Title, bar.ComponentTitle = "speed (m/s)", ""
+    bar.TitleColor = bar.LabelColor = [0, 0, 0]
+    if liner is not None:
+        wall = pv.Show(liner, view)
+        wall.Representation = "Surface"
+        wall.ColorArrayName = [None, ""]
+        wall.DiffuseColor = [0.4, 0.4, 0.45]
+        wall.Opacity = 0.3
+    pv.ResetCamera(view)
+    focus = view.CameraFocalPoint
+    view.CameraPosition = [focus[0], focus[1], focus[2] + 10]
+    view.CameraViewUp = [0, 1, 0]
+    pv.ResetCamera(view)
+    pv.SaveScreenshot(picture, view)
+
+
+def check_picture(picture):
+    if not os.path.isfile(picture):
+        fail(f"{picture} was not written")
+    reader = vtkPNGReader()
+    reader.SetFileName(picture)
+    reader.Update()
+    ranges = [reader.GetOutput().GetPointData().GetScalars().GetRange(c) for c in range(3)]
+    if all(low == high for low, high in ranges):
+        fail(f"{picture} shows nothing")
+
+
+def main():
+    if len(sys.argv) not in (3, 4):
+        fail(__doc__)
+    folder, picture = sys.argv[1:3]
+    expected = int(sys.argv[3]) if len(sys.argv) == 4 else None
+    particles, times = load(folder, "particles")
+    if particles is None or not times:
+        fail(f"{folder}: no particles.hdf.series")
+    liner, liner_times = load(folder, "liner")
+    check_particles(particles, times, expected)
+    check_liner(liner, liner_times)
+    render(particles, liner, times[-1], picture)
+    check_picture(picture)
+    print(f"{picture} written")
+
+
+try:
+    main()
+except Exception as error:  # pvbatch would end with 0
+    fail(f"{type(error).__name__}: {error}")

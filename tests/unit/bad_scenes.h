@@ -1,0 +1,420 @@
+// Broken scenes: one change each to a good one, and every message that must come of it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace quern {
+
+struct BadScene {
+  const char* name;
+  const char* find;                   // this text of kGoodScene ...
+  const char* replace;                // ... becomes this
+  std::vector<std::string> messages;  // all of them, without "mill.toml:"
+};
+
+inline const std::string kGoodScene = R"(format = 1
+[run]
+duration = "2 s"
+record_from = "1 s"
+time_step = "1e-5 s"
+seed = 1
+gravity = ["0 m/s^2", "-9.81 m/s^2", "0 m/s^2"]
+[materials.ore]
+density = "4500 kg/m^3"
+[materials.steel]
+density = "7800 kg/m^3"
+[contact]
+law = "linear-spring-dashpot"
+normal_stiffness = "1e5 N/m"
+tangential_stiffness = "4e4 N/m"
+sliding_friction = 0.3
+[[contact.pair]]
+between = ["ore", "ore"]
+restitution = 0.6
+[[contact.pair]]
+between = ["ore", "steel"]
+restitution = 0.7
+[[contact.pair]]
+between = ["steel", "steel"]
+restitution = 0.8
+[mill]
+material = "steel"
+diameter = "0.3 m"
+length = "40 mm"
+rotation = "30 rpm"
+[mill.lifters]
+count = 18
+height = "10 mm"
+face_angle = "14 deg"
+top_width = "10 mm"
+[[walls]]
+name = "belt"
+material = "steel"
+point = ["0 m", "-1 m", "0 m"]
+normal = [0, 1, 0]
+[[particles]]
+name = "ore"
+material = "ore"
+diameter = "13.75 mm"
+count = 300
+[[particles]]
+name = "ball"
+material = "steel"
+diameter = "18 mm"
+count = 80
+)";
+
+inline const BadScene kBadScenes[] = {
+    {"MisspeltKey",
+     R"(length = "40 mm")",
+     R"(lenght = "40 mm")",
+     {R"~(29:1: error: unknown key 'lenght' - did you mean 'length'?)~"}},
+    {"MissingUnit",
+     R"(diameter = "0.3 m")",
+     "diameter = 0.3",
+     {R"~(28:12: error: 'diameter' needs a unit, for example "0.3 m")~"}},
+    {"StringForACount",
+     "count = 300",
+     R"(count = "300")",
+     {R"~(45:9: error: 'count' must be an integer, found a string)~"}},
+    {"UnitOfTheWrongKind",
+     R"(height = "10 mm")",
+     R"(height = "10 kg")",
+     {R"~(33:10: error: 'height': unit 'kg' is no unit of length (use m, mm))~"}},
+    {"UnknownUnit",
+     R"(height = "10 mm")",
+     R"(height = "10 inch")",
+     {R"~(33:10: error: 'height': unit 'inch' is no unit of length (use m, mm))~"}},
+    {"DecimalComma",
+     R"(diameter = "13.75 mm")",
+     R"(diameter = "13,75 mm")",
+     {R"~(44:12: error: 'diameter': "13,75 mm" has a comma; write the decimals with a point)~"}},
+    {"QuantityWithoutANumber",
+     R"(duration = "2 s")",
+     R"(duration = "long")",
+     {R"~(3:12: error: 'duration': "long" is no number with a unit, for example "1 s")~"}},
+    {"FractionForACount",
+     "count = 80",
+     "count = 80.5",
+     {R"~(50:9: error: 'count' must be an integer, found 80.5)~"}},
+    {"UnknownTable",
+     "[mill.lifters]",
+     "[mill.liftres]",
+     {R"~(31:7: error: unknown key 'liftres' - did you mean 'lifters'?)~"}},
+    {"KeyOfAnotherTable",
+     R"(length = "40 mm")",
+     R"(length = "40 mm"
+seed = 3)",
+     {R"~(30:1: error: unknown key 'seed' here - it is 'run.seed')~"}},
+    {"KeyOfALaterVersion",
+     "format = 1",
+     R"(format = 1
+wear = { model = "SIEM" })",
+     {R"~(2:1: error: 'wear' is not available in this version)~"}},
+    {"UnknownMaterial",
+     R"([mill]
+material = "steel")",
+     R"([mill]
+material = "stel")",
+     {R"~(27:12: error: 'material': no material 'stel' - did you mean 'steel'? (ore, steel))~"}},
+    {"UnknownMaterialInAPair",
+     R"(between = ["ore", "steel"])",
+     R"(between = ["ore", "rubber"])",
+     {R"~(21:11: error: 'between': no material 'rubber' (ore, steel))~"}},
+    {"PairTwice",
+     R"(between = ["steel", "steel"])",
+     R"(between = ["ore", "ore"])",
+     {R"~(24:11: error: the pair ore-ore was given before, in line 18)~"}},
+    {"PairOfThree",
+     R"(between = ["ore", "ore"])",
+     R"(between = ["ore", "ore", "ore"])",
+     {R"~(18:11: error: 'between' must name two materials, for example ["ore", "steel"])~"}},
+    {"MissingCoefficient",
+     "sliding_friction = 0.3\n",
+     "",
+     {R"~(12:1: error: [contact] has no 'sliding_friction' for ore-ore, ore-steel, steel-steel: give it here or in a [[contact.pair]])~"}},
+    {"RestitutionAboveOne",
+     "restitution = 0.6",
+     "restitution = 1.2",
+     {R"~(19:15: error: 'restitution': 1.2 is not allowed (must be greater than 0 and at most 1))~"}},
+    {"RestitutionZero",
+     "restitution = 0.6",
+     "restitution = 0",
+     {R"~(19:15: error: 'restitution': 0 is not allowed (must be greater than 0 and at most 1))~"}},
+    {"NegativeFriction",
+     "sliding_friction = 0.3",
+     "sliding_friction = -0.3",
+     {R"~(16:20: error: 'sliding_friction': -0.3 is not allowed (must not be negative))~"}},
+    {"FrictionWithAUnit",
+     "sliding_friction = 0.3",
+     R"(sliding_friction = "0.3 N/m")",
+     {R"~(16:20: error: 'sliding_friction' must be a number, found a string)~"}},
+    {"NoDensity",
+     R"([materials.ore]
+density = "4500 kg/m^3")",
+     "[materials.ore]",
+     {R"~(8:1: error: material 'ore' is used by particles and needs a 'density' greater than 0)~"}},
+    {"ZeroDensity",
+     R"(density = "4500 kg/m^3")",
+     R"(density = "0 kg/m^3")",
+     {R"~(9:11: error: material 'ore' is used by particles and needs a 'density' greater than 0)~"}},
+    {"ZeroTimeStep",
+     R"(time_step = "1e-5 s")",
+     R"(time_step = "0 s")",
+     {R"~(5:13: error: 'time_step': "0 s" is not allowed (must be greater than 0))~"}},
+    {"NegativeTimeStep",
+     R"(time_step = "1e-5 s")",
+     R"(time_step = "-1e-5 s")",
+     {R"~(5:13: error: 'time_step': "-1e-5 s" is not allowed (must be greater than 0))~"}},
+    {"RecordBeyondTheEnd",
+     R"(record_from = "1 s")",
+     R"(record_from = "3 s")",
+     {R"~(4:15: error: 'record_from': 3 s is not before the end of the run (2 s))~"}},
+    {"NoDuration",
+     "duration = \"2 s\"\n",
+     "",
+     {R"~(2:1: error: [run] needs 'duration' or 'revolutions')~"}},
+    {"DurationAndRevolutions",
+     R"(duration = "2 s")",
+     R"(duration = "2 s"
+revolutions = 1)",
+     {R"~(4:15: error: give 'duration' or 'revolutions', not both)~"}},
+    {"RecordRevolutionBeyondTheEnd",
+     R"(record_from = "1 s")",
+     "record_from_revolution = 1.5",
+     {R"~(4:26: error: 'record_from_revolution': 3 s is not before the end of the run (2 s))~"}},
+    {"UnknownLaw",
+     R"(law = "linear-spring-dashpot")",
+     R"(law = "hertz")",
+     {R"~(13:7: error: 'law': "hertz" is not known (linear-spring-dashpot))~"}},
+    {"UnknownEnds",
+     R"(rotation = "30 rpm")",
+     R"(rotation = "30 rpm"
+ends = "periodical")",
+     {R"~(31:8: error: 'ends': "periodical" is not known - did you mean "periodic"? (walls, periodic, open))~"}},
+    {"UnknownPrecision",
+     "seed = 1",
+     R"(seed = 1
+precision = "single")",
+     {R"~(7:13: error: 'precision': "single" is not known (mixed, double))~"}},
+    {"Polyhedron",
+     "count = 300",
+     R"(count = 300
+shape = "polyhedron")",
+     {R"~(46:9: error: 'shape': "polyhedron" is not available in this version (sphere))~"}},
+    {"UnknownShape",
+     "count = 300",
+     R"(count = 300
+shape = "cube")",
+     {R"~(46:9: error: 'shape': "cube" is not known (sphere))~"}},
+    {"NegativeSeed",
+     "seed = 1",
+     "seed = -1",
+     {R"~(6:8: error: 'seed': -1 is not allowed (must not be negative))~"}},
+    {"GravityOfTwo",
+     R"(gravity = ["0 m/s^2", "-9.81 m/s^2", "0 m/s^2"])",
+     R"(gravity = ["0 m/s^2", "-9.81 m/s^2"])",
+     {R"~(7:11: error: 'gravity' must be an array of 3 values, found 2 values)~"}},
+    {"GravityWithoutUnits",
+     R"(gravity = ["0 m/s^2", "-9.81 m/s^2", "0 m/s^2"])",
+     "gravity = [0, -9.81, 0]",
+     {R"~(7:12: error: 'gravity' needs a unit, for example "0 m/s^2")~",
+      R"~(7:15: error: 'gravity' needs a unit, for example "-9.81 m/s^2")~",
+      R"~(7:22: error: 'gravity' needs a unit, for example "0 m/s^2")~"}},
+    {"MissingMillKey",
+     "diameter = \"0.3 m\"\n",
+     "",
+     {R"~(26:1: error: [mill] needs 'diameter' (inside the shell))~"}},
+    {"LiftersWiderThanThePitch",
+     "count = 18",
+     "count = 80",
+     {R"~(35:13: error: 'top_width': the base of a lifter (0.01499 m) is wider than the pitch of 80 lifters (0.01178 m))~"}},
+    {"LiftersHigherThanTheRadius",
+     R"(height = "10 mm")",
+     R"(height = "160 mm")",
+     {R"~(33:10: error: 'height': 0.16 m is not less than the mill's radius (0.15 m))~"}},
+    {"FaceAngleTooLarge",
+     R"(face_angle = "14 deg")",
+     R"(face_angle = "95 deg")",
+     {R"~(34:14: error: 'face_angle': "95 deg" is not allowed (must be at least 0 deg and less than 90 deg))~"}},
+    {"ScheduleOutOfOrder",
+     R"(rotation = "30 rpm")",
+     R"(rotation = [{ time = "1 s", value = "0 rpm" }, { time = "0 s", value = "30 rpm" }])",
+     {R"~(30:48: error: 'rotation': the times of a schedule must increase)~"}},
+    {"ScheduleRowIncomplete",
+     R"(rotation = "30 rpm")",
+     R"(rotation = [{ time = "1 s" }])",
+     {R"~(30:13: error: [[mill.rotation]] needs 'value' (rate))~"}},
+    {"CountAndMass",
+     "count = 300",
+     R"(count = 300
+mass = "1 kg")",
+     {R"~(46:8: error: 'count' and 'mass' both say how many; give one)~"}},
+    {"NoAmount",
+     "count = 300\n",
+     "",
+     {R"~(41:1: error: particles 'ore' need 'count', 'mass' or 'filling_level')~"}},
+    {"NoSize",
+     "diameter = \"13.75 mm\"\n",
+     "",
+     {R"~(41:1: error: particles 'ore' need 'diameter', 'sizes', 'distribution', 'entries' or 'csv')~"}},
+    {"DiameterAndSizes",
+     "count = 300",
+     R"(sizes = [{ from = "1 mm", to = "2 mm", count = 3 }])",
+     {R"~(45:9: error: 'diameter' and 'sizes' both say the sizes; give one)~"}},
+    {"SizesFromAboveTo",
+     R"(diameter = "13.75 mm"
+count = 300)",
+     R"(sizes = [{ from = "3 mm", to = "2 mm", count = 3 }])",
+     {R"~(44:19: error: 'from': 0.003 m is above 'to' (0.002 m))~"}},
+    {"SharesNotOne",
+     R"(diameter = "13.75 mm")",
+     R"(sizes = [{ from = "1 mm", to = "2 mm", mass_share = 0.4 }, { from = "2 mm", to = "3 mm", mass_share = "50 %" }])",
+     {R"~(44:9: error: 'sizes': the mass shares add up to 0.9, they must add up to 1)~"}},
+    {"DistributionOfNothing",
+     R"(diameter = "13.75 mm")",
+     "distribution = {}",
+     {R"~(44:16: error: 'distribution' needs one of 'table', 'rosin_rammler')~"}},
+    {"PassingFalls",
+     R"(diameter = "13.75 mm")",
+     R"(distribution = { table = [["1 mm", 0.5], ["2 mm", 0.4]] })",
+     {R"~(44:42: error: 'table': diameters must increase, shares must not fall)~"}},
+    {"RosinRammlerIncomplete",
+     R"(diameter = "13.75 mm")",
+     R"(distribution = { rosin_rammler = { d63 = "10 mm", exponent = 2, from = "1 mm" } })",
+     {R"~(44:34: error: [particles.distribution.rosin_rammler] needs 'to' (largest diameter))~"}},
+    {"NameTwice",
+     R"(name = "ball")",
+     R"(name = "ore")",
+     {R"~(47:8: error: the name 'ore' is taken)~"}},
+    {"NameWithASlash",
+     R"(name = "ball")",
+     R"(name = "my/ball")",
+     {R"~(47:8: error: name 'my/ball' may hold letters, digits, _ and - only)~"}},
+    {"ParticlesAsATable",
+     R"([[particles]]
+name = "ball")",
+     R"([[particle]]
+name = "ball")",
+     {R"~(46:3: error: unknown key 'particle' - did you mean 'particles'?)~"}},
+    {"TableForAnArray",
+     "[[walls]]",
+     "[walls]",
+     {R"~(36:1: error: 'walls' must be an array: write [[walls]], found a table)~"}},
+    {"WallOfNoKind",
+     "point = [\"0 m\", \"-1 m\", \"0 m\"]\nnormal = [0, 1, 0]\n",
+     "",
+     {R"~(36:1: error: a wall needs 'mesh', or 'point' and 'normal', or 'low' and 'high')~"}},
+    {"PlaneWithoutNormal",
+     "normal = [0, 1, 0]\n",
+     "",
+     {R"~(36:1: error: a plane needs 'normal')~"}},
+    {"PlaneWithAMesh",
+     "normal = [0, 1, 0]",
+     "normal = [0, 1, 0]\nscale = 2",
+     {R"~(41:9: error: 'scale' belongs to a mesh, this wall is a plane)~"}},
+    {"NormalZero",
+     "normal = [0, 1, 0]",
+     "normal = [0, 0, 0]",
+     {R"~(40:10: error: 'normal' must not be zero)~"}},
+    {"MeshNotThere",
+     R"(point = ["0 m", "-1 m", "0 m"]
+normal = [0, 1, 0])",
+     R"(mesh = "no.stl")",
+     {R"~(39:8: error: 'mesh': there is no file 'no.stl' in /nowhere)~"}},
+    {"BoxUpsideDown",
+     R"(point = ["0 m", "-1 m", "0 m"]
+normal = [0, 1, 0])",
+     R"(low = ["0 m", "0 m", "0 m"]
+high = ["1 m", "1 m", "0 m"])",
+     {R"~(40:8: error: 'high': z = 0 m is not above that of 'low' (0 m))~"}},
+    {"MotionWithoutKind",
+     "normal = [0, 1, 0]",
+     R"(normal = [0, 1, 0]
+motion = { rate = "1 rpm" })",
+     {R"~(41:10: error: a motion needs 'kind' (fixed, rotation, translation, oscillation))~"}},
+    {"MotionWithoutRate",
+     "normal = [0, 1, 0]",
+     R"(normal = [0, 1, 0]
+motion = { kind = "rotation" })",
+     {R"~(41:10: error: a motion of kind "rotation" needs 'rate')~"}},
+    {"MotionWithTheWrongUnit",
+     "normal = [0, 1, 0]",
+     R"(normal = [0, 1, 0]
+motion = { kind = "translation", rate = "1 rpm" })",
+     {R"~(41:41: error: 'rate': unit 'rpm' is no unit of speed (use m/s, mm/s))~"}},
+    {"PeriodicAxisUnknown",
+     "[materials.ore]",
+     R"([domain]
+periodic = ["w"]
+[materials.ore])",
+     {R"~(9:13: error: 'periodic': "w" is no axis ("x", "y", "z"))~"}},
+    {"DomainHalf",
+     "[materials.ore]",
+     R"([domain]
+low = ["0 m", "0 m", "0 m"]
+[materials.ore])",
+     {R"~(9:7: error: 'low' and 'high' must be given together)~"}},
+    {"StartFileMissing",
+     "seed = 1",
+     R"(seed = 1
+start = "file")",
+     {R"~(7:9: error: 'start': "file" needs 'start_file')~"}},
+    {"FutureFormat",
+     "format = 1",
+     "format = 2",
+     {R"~(1:10: error: 'format': 2 is not known (1))~"}},
+    {"InfiniteNumber",
+     "sliding_friction = 0.3",
+     "sliding_friction = inf",
+     {R"~(16:20: error: 'sliding_friction' must be finite)~"}},
+    {"EmptyName",
+     R"(name = "ball")",
+     R"(name = "")",
+     {R"~(47:8: error: 'name' must not be empty)~"}},
+    {"CsvNotThere",
+     R"(diameter = "13.75 mm"
+count = 300)",
+     R"(csv = "no.csv")",
+     {R"~(44:7: error: 'csv': there is no file 'no.csv' in /nowhere)~"}},
+    {"EntryWithoutPosition",
+     "count = 300",
+     R"(entries = [{ velocity = ["0 m/s", "0 m/s", "0 m/s"] }])",
+     {R"~(45:12: error: [[particles.entries]] needs 'position' (of the centre))~"}},
+    {"TooManyParticles",
+     "count = 300",
+     "count = 5000000000",
+     {R"~(41:1: error: 5e+09 particles are too many (at most 4e+09))~"}},
+    {"KeyTwice",
+     "seed = 1",
+     "seed = 1\nseed = 2",
+     {R"~(7:8: error: syntax: key-value pair: cannot redefine existing integer 'seed')~"}},
+    {"StringNotClosed",
+     R"(name = "ball")",
+     R"(name = "ball)",
+     {R"~(47:13: error: syntax: a string is not closed in its line, or holds a control character)~"}},
+    {"NoValue",
+     "seed = 1",
+     "seed =",
+     {R"~(6:7: error: syntax: key-value pair: expected value, saw '\n')~"}},
+    {"HeaderNotClosed",
+     "[mill]",
+     "[mill",
+     {R"~(26:6: error: syntax: table header: expected ']', saw '\n')~"}},
+    {"LetterOutsideStrings",
+     "seed = 1",
+     "größe = 1",
+     {R"~(6:3: error: 'öß' may only stand in a string or a comment (keys and numbers are plain ASCII))~"}},
+    {"LetterAfterAValue",
+     "seed = 1",
+     "seed = 1µ",
+     {R"~(6:9: error: 'µ' may only stand in a string or a comment (keys and numbers are plain ASCII))~"}},
+    {"InvalidUtf8InAString",
+     R"(name = "ball")",
+     "name = \"b\xff"
+     "ll\"",
+     {R"~(47:9: error: syntax: Encountered invalid utf-8 sequence)~"}},
+};
+
+}  // namespace quern

@@ -1,0 +1,384 @@
+// Every shipped scene, and one with every key there is, written and read back to an equal scene.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/unit/scene_text.h"
+
+namespace quern {
+namespace {
+
+const std::filesystem::path kScenes =
+    std::filesystem::path(__FILE__).parent_path().parent_path().parent_path() / "apps" / "scenes";
+
+void expect_same(const Schedule& a, const Schedule& b) {
+  ASSERT_EQ(a.points.size(), b.points.size());
+  for (std::size_t i = 0; i < a.points.size(); ++i) {
+    EXPECT_EQ(a.points[i].time, b.points[i].time);
+    EXPECT_EQ(a.points[i].value, b.points[i].value);
+  }
+}
+
+void expect_same(const Motion& a, const Motion& b) {
+  EXPECT_EQ(a.kind, b.kind);
+  EXPECT_EQ(a.axis, b.axis);
+  EXPECT_EQ(a.center, b.center);
+  expect_same(a.rate, b.rate);
+  EXPECT_EQ(a.amplitude, b.amplitude);
+  EXPECT_EQ(a.frequency, b.frequency);
+}
+
+void expect_same(const RunSpec& a, const RunSpec& b) {
+  EXPECT_EQ(a.title, b.title);
+  EXPECT_EQ(a.duration, b.duration);
+  EXPECT_EQ(a.revolutions, b.revolutions);
+  EXPECT_EQ(a.record_from, b.record_from);
+  EXPECT_EQ(a.record_from_revolution, b.record_from_revolution);
+  EXPECT_EQ(a.time_step, b.time_step);
+  EXPECT_EQ(a.seed, b.seed);
+  EXPECT_EQ(a.gravity, b.gravity);
+  EXPECT_EQ(a.settle, b.settle);
+  EXPECT_EQ(a.settle_time, b.settle_time);
+  EXPECT_EQ(a.soft_stiffness, b.soft_stiffness);
+  EXPECT_EQ(a.start, b.start);
+  EXPECT_EQ(a.start_file, b.start_file);
+  EXPECT_EQ(a.precision, b.precision);
+  EXPECT_EQ(a.tile_size, b.tile_size);
+  EXPECT_EQ(a.list_slack, b.list_slack);
+}
+
+void expect_same(const ContactSpec& a, const ContactSpec& b) {
+  EXPECT_EQ(a.law, b.law);
+  EXPECT_EQ(a.normal_force, b.normal_force);
+  EXPECT_EQ(a.tangential_damping, b.tangential_damping);
+  EXPECT_EQ(a.normal_stiffness, b.normal_stiffness);
+  EXPECT_EQ(a.tangential_stiffness, b.tangential_stiffness);
+  EXPECT_EQ(a.restitution, b.restitution);
+  EXPECT_EQ(a.sliding_friction, b.sliding_friction);
+  EXPECT_EQ(a.rolling_friction, b.rolling_friction);
+  ASSERT_EQ(a.pairs.size(), b.pairs.size());
+  for (std::size_t i = 0; i < a.pairs.size(); ++i) {
+    const PairCoefficients &p = a.pairs[i], &q = b.pairs[i];
+    EXPECT_EQ(p.a, q.a);
+    EXPECT_EQ(p.b, q.b);
+    EXPECT_EQ(p.normal_stiffness, q.normal_stiffness);
+    EXPECT_EQ(p.tangential_stiffness, q.tangential_stiffness);
+    EXPECT_EQ(p.restitution, q.restitution);
+    EXPECT_EQ(p.sliding_friction, q.sliding_friction);
+    EXPECT_EQ(p.rolling_friction, q.rolling_friction);
+  }
+}
+
+void expect_same(const MillSpec& a, const MillSpec& b) {
+  EXPECT_EQ(a.material, b.material);
+  EXPECT_EQ(a.end_material, b.end_material);
+  EXPECT_EQ(a.diameter, b.diameter);
+  EXPECT_EQ(a.length, b.length);
+  EXPECT_EQ(a.ends, b.ends);
+  EXPECT_EQ(a.pieces_per_arc, b.pieces_per_arc);
+  expect_same(a.rotation, b.rotation);
+  ASSERT_EQ(a.lifters.has_value(), b.lifters.has_value());
+  if (!a.lifters) return;
+  EXPECT_EQ(a.lifters->count, b.lifters->count);
+  EXPECT_EQ(a.lifters->height, b.lifters->height);
+  EXPECT_EQ(a.lifters->face_angle, b.lifters->face_angle);
+  EXPECT_EQ(a.lifters->top_width, b.lifters->top_width);
+}
+
+void expect_same(const ParticleSpec& a, const ParticleSpec& b) {
+  EXPECT_EQ(a.name, b.name);
+  EXPECT_EQ(a.material, b.material);
+  EXPECT_EQ(a.shape, b.shape);
+  EXPECT_EQ(a.diameter, b.diameter);
+  EXPECT_EQ(a.count, b.count);
+  EXPECT_EQ(a.mass, b.mass);
+  EXPECT_EQ(a.filling_level, b.filling_level);
+  EXPECT_EQ(a.csv, b.csv);
+  ASSERT_EQ(a.sizes.size(), b.sizes.size());
+  for (std::size_t i = 0; i < a.sizes.size(); ++i) {
+    EXPECT_EQ(a.sizes[i].from, b.sizes[i].from);
+    EXPECT_EQ(a.sizes[i].to, b.sizes[i].to);
+    EXPECT_EQ(a.sizes[i].count, b.sizes[i].count);
+    EXPECT_EQ(a.sizes[i].mass_share, b.sizes[i].mass_share);
+  }
+  EXPECT_EQ(a.distribution.kind, b.distribution.kind);
+  EXPECT_EQ(a.distribution.passing, b.distribution.passing);
+  EXPECT_EQ(a.distribution.d63, b.distribution.d63);
+  EXPECT_EQ(a.distribution.exponent, b.distribution.exponent);
+  EXPECT_EQ(a.distribution.from, b.distribution.from);
+  EXPECT_EQ(a.distribution.to, b.distribution.to);
+  ASSERT_EQ(a.explicit_particles.size(), b.explicit_particles.size());
+  for (std::size_t i = 0; i < a.explicit_particles.size(); ++i) {
+    const ExplicitParticle &p = a.explicit_particles[i], &q = b.explicit_particles[i];
+    EXPECT_EQ(p.position, q.position);
+    EXPECT_EQ(p.velocity, q.velocity);
+    EXPECT_EQ(p.spin, q.spin);
+    EXPECT_EQ(p.diameter, q.diameter);
+  }
+}
+
+template <class Wall>
+void expect_same_names(const std::vector<Wall>& a, const std::vector<Wall>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].name, b[i].name);
+    EXPECT_EQ(a[i].material, b[i].material);
+    expect_same(a[i].motion, b[i].motion);
+  }
+}
+
+void expect_same_walls(const Scene& a, const Scene& b) {
+  expect_same_names(a.meshes, b.meshes);
+  expect_same_names(a.planes, b.planes);
+  expect_same_names(a.boxes, b.boxes);
+  for (std::size_t i = 0; i < a.meshes.size(); ++i) {
+    EXPECT_EQ(a.meshes[i].path, b.meshes[i].path);
+    EXPECT_EQ(a.meshes[i].scale, b.meshes[i].scale);
+    EXPECT_EQ(a.folder, b.folder);
+  }
+  for (std::size_t i = 0; i < a.planes.size(); ++i) {
+    EXPECT_EQ(a.planes[i].point, b.planes[i].point);
+    EXPECT_EQ(a.planes[i].normal, b.planes[i].normal);
+  }
+  for (std::size_t i = 0; i < a.boxes.size(); ++i) {
+    EXPECT_EQ(a.boxes[i].low, b.boxes[i].low);
+    EXPECT_EQ(a.boxes[i].high, b.boxes[i].high);
+    EXPECT_EQ(a.boxes[i].open_top, b.boxes[i].open_top);
+  }
+}
+
+void expect_same(const Scene& a, const Scene& b) {
+  expect_same(a.run, b.run);
+  EXPECT_EQ(a.domain.low, b.domain.low);
+  EXPECT_EQ(a.domain.high, b.domain.high);
+  for (int k = 0; k < 3; ++k) EXPECT_EQ(a.domain.periodic[k], b.domain.periodic[k]);
+  expect_same(a.contact, b.contact);
+  ASSERT_EQ(a.materials.size(), b.materials.size());
+  for (std::size_t i = 0; i < a.materials.size(); ++i) {
+    EXPECT_EQ(a.materials[i].name, b.materials[i].name);
+    EXPECT_EQ(a.materials[i].density, b.materials[i].density);
+    EXPECT_EQ(a.materials[i].hardness, b.materials[i].hardness);
+  }
+  ASSERT_EQ(a.mill.has_value(), b.mill.has_value());
+  if (a.mill) expect_same(*a.mill, *b.mill);
+  expect_same_walls(a, b);
+  EXPECT_EQ(a.fill.method, b.fill.method);
+  EXPECT_EQ(a.fill.low, b.fill.low);
+  EXPECT_EQ(a.fill.high, b.fill.high);
+  EXPECT_EQ(a.fill.max_fraction, b.fill.max_fraction);
+  EXPECT_EQ(a.fill.over, b.fill.over);
+  EXPECT_EQ(a.fill.velocity, b.fill.velocity);
+  ASSERT_EQ(a.particles.size(), b.particles.size());
+  for (std::size_t i = 0; i < a.particles.size(); ++i) expect_same(a.particles[i], b.particles[i]);
+  EXPECT_EQ(a.output.series_every, b.output.series_every);
+  EXPECT_EQ(a.output.frames_every, b.output.frames_every);
+  EXPECT_EQ(a.output.checkpoint_every, b.output.checkpoint_every);
+}
+
+// Written, read from another folder, and written again.
+void expect_round_trip(const Scene& scene) {
+  const std::string text = scene_to_toml(scene);
+  const SceneResult back = parse_scene(text, "written.toml", "/elsewhere");
+  EXPECT_EQ(back.errors, Lines{});
+  expect_same(scene, back.scene);
+  EXPECT_EQ(scene_to_toml(back.scene), text);
+}
+
+class ShippedScene : public testing::TestWithParam<const char*> {};
+
+TEST_P(ShippedScene, IsReadWithoutComplaintAndReadsBackTheSame) {
+  const SceneResult result = read_scene((kScenes / GetParam()).string() + ".toml");
+  EXPECT_EQ(result.errors, Lines{});
+  EXPECT_EQ(result.warnings, Lines{});
+  expect_round_trip(result.scene);
+}
+
+TEST_P(ShippedScene, OpensWithPurposeSourceAndExpectedResult) {
+  const SceneResult result = read_scene((kScenes / GetParam()).string() + ".toml");
+  const std::string head = result.scene.text.substr(0, result.scene.text.find("format = 1"));
+  for (const char* word : {"# Purpose:", "# Source:", "# Expected"})
+    EXPECT_NE(head.find(word), std::string::npos) << word;
+}
+
+constexpr const char* kShipped[] = {"bounce",
+                                    "slide_to_roll",
+                                    "two_spheres",
+                                    "box_packing_spheres",
+                                    "lab_mill_spheres",
+                                    "lab_mill_reference",
+                                    "sag_slice_sp",
+                                    "sag_slice_small_sp",
+                                    "bed"};
+INSTANTIATE_TEST_SUITE_P(SceneReader, ShippedScene, testing::ValuesIn(kShipped),
+                         [](const auto& row) { return std::string(row.param); });
+
+TEST(SceneReader, SagSliceHoldsThePapersCharge) {
+  const Scene scene = read_scene((kScenes / "sag_slice_sp.toml").string()).scene;
+  ASSERT_EQ(scene.particles.size(), 2u);
+  double mass[2] = {};
+  long count = 0;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const ParticleSpec& species = scene.particles[i];
+    const double density = species.material == "ore" ? 4500 : 7800;
+    if (species.diameter) {
+      mass[i] =
+          static_cast<double>(*species.count) * density * kPi / 6 * std::pow(*species.diameter, 3);
+      count += *species.count;
+    }
+    for (const SizeClass& size : species.sizes) {  // mean of d^3 over uniform diameters
+      const double cube =
+          (std::pow(size.to, 4) - std::pow(size.from, 4)) / (4 * (size.to - size.from));
+      mass[i] += static_cast<double>(*size.count) * density * kPi / 6 * cube;
+      count += *size.count;
+    }
+  }
+  EXPECT_EQ(count, 400000);
+  EXPECT_NEAR(mass[0], 19940, 5);   // kg, balls; the paper: 45.5 % of all mass
+  EXPECT_NEAR(mass[1], 23740, 30);  // kg, ore
+}
+
+// Every key there is, none at its default.
+constexpr const char* kEverything = R"(
+format = 1
+folder = "FOLDER"
+[run]
+title = 'a "quoted" \ title'
+revolutions = 3
+record_from_revolution = 1.5
+time_step = "3 us"
+seed = 7
+gravity = ["0.1 m/s^2", "0 m/s^2", "-9.7 m/s^2"]
+settle = "until-rest"
+settle_limit = "2 min"
+soft_stiffness = 0.1
+start = "file"
+start_file = "points.csv"
+precision = "double"
+tile_size = 64
+list_slack = "0.7 mm"
+[domain]
+low = ["-1 m", "-1 m", "-1 m"]
+high = ["1 m", "1 m", "1 m"]
+periodic = ["y", "x"]
+[materials.ore]
+density = "3.3 t/m^3"
+hardness = "160 HV"
+[materials.steel-2]
+[contact]
+law = "linear-spring-dashpot"
+normal_force = "unclamped"
+tangential_damping = false
+normal_stiffness = "1.1 MN/m"
+tangential_stiffness = "0.4 MN/m"
+restitution = 0.31
+sliding_friction = 0.32
+rolling_friction = 0.033
+[[contact.pair]]
+between = ["ore", "steel-2"]
+normal_stiffness = "2 MN/m"
+tangential_stiffness = "3 kN/m"
+restitution = 0.41
+sliding_friction = 0.42
+rolling_friction = 0.043
+[mill]
+material = "steel-2"
+end_material = "ore"
+diameter = "777 mm"
+length = "0.9 m"
+ends = "open"
+pieces_per_arc = 7
+rotation = { schedule = [{ time = "0 s", value = "0 rpm" }, { time = "3 s", value = "11 rpm" }] }
+direction = "clockwise"
+[mill.lifters]
+count = 5
+height = "33 mm"
+face_angle = "7 deg"
+top_width = "11 mm"
+[[walls]]
+name = "belt"
+kind = "plane"
+material = "ore"
+point = ["0.1 m", "0.2 m", "0.3 m"]
+normal = [1, 2, 3]
+motion = { kind = "translation", axis = [3, 1, 2], rate = "0.3 m/s" }
+[[walls]]
+name = "tub"
+material = "steel-2"
+low = ["-0.1 m", "-0.2 m", "-0.3 m"]
+high = ["0.1 m", "0.2 m", "0.3 m"]
+open_top = true
+motion = { kind = "oscillation", axis = [1, 1, 0], amplitude = "3 mm", frequency = "7 Hz" }
+[[walls]]
+name = "scoop"
+material = "steel-2"
+mesh = "points.csv"
+scale = 0.001
+[walls.motion]
+kind = "rotation"
+axis = [0, 3, 4]
+center = ["1 mm", "2 mm", "3 mm"]
+rate = [{ time = "1 s", value = "3 deg/s" }]
+[fill]
+method = "rain"
+low = ["-0.3 m", "-0.3 m", "-0.3 m"]
+high = ["0.3 m", "0.3 m", "0.3 m"]
+max_fraction = "37 %"
+over = "3 s"
+velocity = ["0 m/s", "0 m/s", "-1 mm/s"]
+[[particles]]
+name = "a"
+material = "ore"
+sizes = [
+  { from = "1 mm", to = "3 mm", mass_share = "30 %", shape = "sphere" },
+  { from = "3 mm", to = "7 mm", mass_share = 0.7 },
+]
+mass = "3 kg"
+[[particles]]
+name = "b"
+material = "ore"
+distribution = { table = [["1 mm", 0], ["3 mm", 0.3], ["7 mm", 1]] }
+filling_level = "30 %"
+[[particles]]
+name = "c"
+material = "ore"
+distribution = { rosin_rammler = { d63 = "7 mm", exponent = 1.3, from = "1 mm", to = "9 mm" } }
+count = 33
+[[particles]]
+name = "d"
+material = "ore"
+csv = "points.csv"
+[[particles]]
+name = "e"
+material = "ore"
+diameter = "3 mm"
+entries = [
+  { position = ["0 m", "1 mm", "2 mm"], velocity = ["1 m/s", "2 m/s", "3 m/s"], spin = ["1 rad/s", "2 rpm", "3 Hz"] },
+  { position = ["0 m", "1 mm", "9 mm"], diameter = "4 mm" },
+]
+[output]
+series_every = "3 ms"
+frames_every = "70 ms"
+checkpoint_every = "5 min"
+)";
+
+TEST(SceneReader, ReadsEveryKeyAndWritesItBack) {
+  const TestFolder folder;
+  folder.write("points.csv", "x,y,z,diameter,vx\n0,1,2,0.003,0.1\n0.5,0,0,0.004,0\n");
+  const std::string text = changed(kEverything, "FOLDER", folder.path.string());
+  const SceneResult result = parse(text);
+  ASSERT_EQ(result.errors, Lines{});
+  EXPECT_EQ(result.scene.particles[3].explicit_particles.size(), 2u);
+  EXPECT_NEAR(result.scene.planes[0].normal.norm(), 1, 1e-15);
+  expect_round_trip(result.scene);
+  expect_round_trip(parse(kGoodScene).scene);
+  for (const SceneKey& key : scene_keys()) {
+    const std::string name = key.path.substr(key.path.rfind('.') + 1);
+    EXPECT_NE((text + kGoodScene).find(name + " ="), std::string::npos)
+        << "not in this test: " << key.path;
+    EXPECT_FALSE(key.doc.empty()) << key.path;
+    EXPECT_FALSE(key.type.empty()) << key.path;
+  }
+}
+
+}  // namespace
+}  // namespace quern
