@@ -52,6 +52,7 @@ class Handle {
   CloseFunction close_;
 };
 
+// In the order of ElementType.
 struct TypeRow {
   ElementType type;
   const char* name;
@@ -65,32 +66,23 @@ constexpr std::array<TypeRow, 7> kTypes = {{{ElementType::kF64, "f64", 8},
                                             {ElementType::kU8, "u8", 1},
                                             {ElementType::kI64, "i64", 8}}};
 
-const TypeRow& row_of(ElementType type) {
-  for (const TypeRow& row : kTypes) {
-    if (row.type == type) return row;
-  }
-  throw InvariantError("unknown element type");
-}
+const TypeRow& row_of(ElementType type) { return kTypes.at(static_cast<std::size_t>(type)); }
+
+static_assert(
+    [] {
+      for (std::size_t i = 0; i < kTypes.size(); ++i) {
+        if (static_cast<std::size_t>(kTypes[i].type) != i) return false;
+      }
+      return true;
+    }(),
+    "kTypes must be in the order of ElementType");
 
 // In the file and in memory alike: on little-endian machines nothing is converted.
 hid_t file_type(ElementType type) {
-  switch (type) {
-    case ElementType::kF64:
-      return H5T_IEEE_F64LE;
-    case ElementType::kF32:
-      return H5T_IEEE_F32LE;
-    case ElementType::kU64:
-      return H5T_STD_U64LE;
-    case ElementType::kU32:
-      return H5T_STD_U32LE;
-    case ElementType::kU16:
-      return H5T_STD_U16LE;
-    case ElementType::kU8:
-      return H5T_STD_U8LE;
-    case ElementType::kI64:
-      return H5T_STD_I64LE;
-  }
-  throw InvariantError("unknown element type");
+  const std::array<hid_t, kTypes.size()> in_order = {H5T_IEEE_F64LE, H5T_IEEE_F32LE, H5T_STD_U64LE,
+                                                     H5T_STD_U32LE,  H5T_STD_U16LE,  H5T_STD_U8LE,
+                                                     H5T_STD_I64LE};
+  return in_order.at(static_cast<std::size_t>(type));
 }
 static_assert(std::endian::native == std::endian::little, "files are copied as they lie in memory");
 
@@ -156,13 +148,6 @@ void prepare_library() {
     return H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
   }();
   QUERN_CHECK(once);
-}
-
-// Groups on the way to a name are made.
-Handle link_creation() {
-  Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
-  H5Pset_create_intermediate_group(links.get(), 1);
-  return links;
 }
 
 Handle dataset_creation() {
@@ -244,11 +229,19 @@ void Hdf5File::remove(const std::string& name) {
   if (H5Ldelete(file_, name.c_str(), H5P_DEFAULT) < 0) fail("remove '" + name + "'");
 }
 
+// HDF5 can make the groups on the way itself, but then with the time of day in them.
+void Hdf5File::make_parents(const std::string& name) {
+  const std::size_t end = name.rfind('/');
+  if (end == std::string::npos || end == 0) return;
+  const std::string parent = name.substr(0, end);
+  if (!exists(parent)) make_group(parent);
+}
+
 void Hdf5File::make_group(const std::string& name) {
-  const Handle links = link_creation();
+  make_parents(name);
   const Handle creation(H5Pcreate(H5P_GROUP_CREATE), H5Pclose);
   H5Pset_obj_track_times(creation.get(), false);
-  const Handle group(H5Gcreate2(file_, name.c_str(), links.get(), creation.get(), H5P_DEFAULT),
+  const Handle group(H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, creation.get(), H5P_DEFAULT),
                      H5Gclose);
   if (group.bad()) fail("make group '" + name + "'");
 }
@@ -282,9 +275,9 @@ void Hdf5File::write_array(const std::string& name, Id type, const ArrayLayout& 
     H5Pset_fletcher32(creation.get());
     H5Pset_fill_time(creation.get(), H5D_FILL_TIME_NEVER);
   }
-  const Handle links = link_creation();
+  make_parents(name);
   const Handle dataset(
-      H5Dcreate2(file_, name.c_str(), type, space.get(), links.get(), creation.get(), H5P_DEFAULT),
+      H5Dcreate2(file_, name.c_str(), type, space.get(), H5P_DEFAULT, creation.get(), H5P_DEFAULT),
       H5Dclose);
   if (dataset.bad()) fail("make dataset '" + name + "'");
   if (layout.rows > 0 && H5Dwrite(dataset.get(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0) {
@@ -368,21 +361,25 @@ void Hdf5File::write_attribute(const std::string& object, const std::string& nam
   }
 }
 
+void Hdf5File::write_scalar(const std::string& object, const std::string& name, Id type,
+                            const void* value) {
+  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  write_attribute(object, name, type, space.get(), value);
+}
+
 void Hdf5File::set_attribute(const std::string& object, const std::string& name,
                              const std::string& text) {
-  const Handle type = text_type(text), space(H5Screate(H5S_SCALAR), H5Sclose);
-  write_attribute(object, name, type.get(), space.get(), text.c_str());
+  const Handle type = text_type(text);
+  write_scalar(object, name, type.get(), text.c_str());
 }
 
 void Hdf5File::set_attribute(const std::string& object, const std::string& name, double value) {
-  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-  write_attribute(object, name, file_type(ElementType::kF64), space.get(), &value);
+  write_scalar(object, name, file_type(ElementType::kF64), &value);
 }
 
 void Hdf5File::set_attribute(const std::string& object, const std::string& name,
                              std::uint64_t value) {
-  const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-  write_attribute(object, name, file_type(ElementType::kU64), space.get(), &value);
+  write_scalar(object, name, file_type(ElementType::kU64), &value);
 }
 
 void Hdf5File::set_attribute(const std::string& object, const std::string& name,
@@ -422,13 +419,13 @@ std::string Hdf5File::text_attribute(const std::string& object, const std::strin
 void Hdf5File::read_attribute(const std::string& object, const std::string& name, ElementType type,
                               void* value) const {
   const Handle attribute(open_attribute(object, name), H5Aclose);
-  const std::string operation = fmt::format("read attribute '{}' of '{}'", name, object);
   const Handle found(H5Aget_type(attribute.get()), H5Tclose);
   if (found.bad() || H5Tequal(found.get(), file_type(type)) <= 0 ||
-      H5Aget_storage_size(attribute.get()) != element_bytes(type)) {
-    fail(operation, fmt::format("is not one {}", row_of(type).name));
+      H5Aget_storage_size(attribute.get()) != element_bytes(type) ||
+      H5Aread(attribute.get(), file_type(type), value) < 0) {
+    fail(fmt::format("read attribute '{}' of '{}'", name, object),
+         fmt::format("is not one {}", row_of(type).name));
   }
-  if (H5Aread(attribute.get(), file_type(type), value) < 0) fail(operation);
 }
 
 double Hdf5File::f64_attribute(const std::string& object, const std::string& name) const {
@@ -451,9 +448,9 @@ std::size_t Hdf5File::create_series(const std::string& name) {
   const double unwritten = std::numeric_limits<double>::quiet_NaN();
   H5Pset_fill_value(creation.get(), file_type(ElementType::kF64), &unwritten);
   H5Pset_fletcher32(creation.get());
-  const Handle links = link_creation();
+  make_parents(name);
   const hid_t dataset = H5Dcreate2(file_, name.c_str(), file_type(ElementType::kF64), space.get(),
-                                   links.get(), creation.get(), H5P_DEFAULT);
+                                   H5P_DEFAULT, creation.get(), H5P_DEFAULT);
   if (dataset < 0) fail("make dataset '" + name + "'");
   series_.push_back({dataset, name, 0});
   return series_.size() - 1;

@@ -95,12 +95,14 @@ class Hdf5File {
     std::size_t rows;
   };
   Id open_file() const;
+  void make_parents(const std::string& name);
   Id open_dataset(const std::string& name) const;
   Id open_attribute(const std::string& object, const std::string& name) const;
   void read_attribute(const std::string& object, const std::string& name, ElementType type,
                       void* value) const;
   void write_attribute(const std::string& object, const std::string& name, Id type, Id space,
                        const void* value);
+  void write_scalar(const std::string& object, const std::string& name, Id type, const void* value);
   void write_array(const std::string& name, Id type, const ArrayLayout& layout, const void* data);
 
   std::string what_, path_;

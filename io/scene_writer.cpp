@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cctype>
+#include <cmath>
 #include <concepts>
 #include <filesystem>
 #include <functional>
@@ -26,11 +27,12 @@ std::string quote(const std::string& text) {
   return out + "\"";
 }
 
-// TOML wants a point or an exponent in a float, but reads integers as numbers too: left as they
-// are.
+// Whole numbers stand as integers, unless they are too large for TOML's.
 std::string value_text(const Key& key, double value) {
   const std::string text = format_quantity(value, key.dimension);
-  return si_unit(key.dimension)[0] ? quote(text) : text;
+  if (si_unit(key.dimension)[0]) return quote(text);
+  return std::abs(value) < 1e15 || text.find_first_of(".e") != std::string::npos ? text
+                                                                                 : text + ".0";
 }
 
 std::string value_text(const Key& key, const Vec3& v) {

@@ -1,9 +1,10 @@
-// toml++ behind a plain tree; the scan for stray letters; spelling suggestions.
+// toml++ behind a plain tree; the scan for what it cannot bear; spelling suggestions.
 #include "io/toml_reader.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <tuple>
 
 #ifndef TOML_HEADER_ONLY
@@ -68,10 +69,12 @@ Node copy_node(const toml::node& from) {
   return to;
 }
 
-// Walks over TOML text and knows whether it is inside a comment or a string.
-class LetterScan {
+// Walks over TOML text, knows whether it is in a comment, a string or an array, and reports what
+// toml++ 3.3.0 must not see: non-ASCII letters outside strings, table headers without a name
+// ("[="), and brackets closed by braces.
+class TextScan {
  public:
-  LetterScan(std::string_view text, Messages& messages) : text_(text), messages_(messages) {}
+  TextScan(std::string_view text, Messages& messages) : text_(text), messages_(messages) {}
 
   void run() {
     if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;  // a byte order mark is allowed
@@ -80,10 +83,15 @@ class LetterScan {
       if (c == '#') {
         while (at_ < text_.size() && text_[at_] != '\n') step();
       } else if (c == '"' || c == '\'') {
+        line_begun_ = true;
         skip_string(c);
       } else if (static_cast<unsigned char>(c) >= 0x80) {
-        report();
+        line_begun_ = true;
+        report_letters();
       } else {
+        if (c == '[' && open_.empty() && !line_begun_) check_header();
+        track_brackets(c);
+        if (c != ' ' && c != '\t') line_begun_ = c != '\n';
         step();
       }
     }
@@ -120,8 +128,27 @@ class LetterScan {
     }
   }
 
+  void track_brackets(char c) {
+    if (c == '[' || c == '{') open_ += c;
+    if ((c != ']' && c != '}') || open_.empty()) return;
+    if (open_.back() != (c == ']' ? '[' : '{'))
+      messages_.error({line_, column_, -1},
+                      fmt::format("syntax: '{}' cannot close '{}'", c, open_.back()));
+    open_.pop_back();
+  }
+
+  void check_header() {
+    std::size_t next = at_ + (text_.substr(at_).starts_with("[[") ? 2 : 1);
+    while (next < text_.size() && (text_[next] == ' ' || text_[next] == '\t')) ++next;
+    if (next == text_.size()) return;  // the parser says so
+    const char c = text_[next];
+    if (!std::isalnum(static_cast<unsigned char>(c)) && static_cast<unsigned char>(c) < 0x80 &&
+        std::string_view("_-\"']").find(c) == std::string_view::npos)
+      messages_.error({line_, column_, -1}, "syntax: a table header needs a name, as in [mill]");
+  }
+
   // One message for a run of such letters.
-  void report() {
+  void report_letters() {
     const Place place{line_, column_, -1};
     const std::size_t begin = at_;
     while (at_ < text_.size() && static_cast<unsigned char>(text_[at_]) >= 0x80) step();
@@ -134,6 +161,8 @@ class LetterScan {
   Messages& messages_;
   std::size_t at_ = 0;
   int line_ = 1, column_ = 1;
+  std::string open_;         // brackets and braces that are not closed yet
+  bool line_begun_ = false;  // something but blanks stood in this line
 };
 
 // The parser's words in ours.
@@ -226,7 +255,7 @@ std::vector<std::string> Messages::errors() const {
 
 Node parse_toml(const std::string& text, Messages& messages) {
   Node root;
-  LetterScan(text, messages).run();
+  TextScan(text, messages).run();
   if (messages.any_error()) return root;
   try {
     const toml::table table = toml::parse(std::string_view(text));

@@ -3,7 +3,8 @@
 // toml_reader.cpp is the only code that includes toml++. It copies the parsed document into plain
 // nodes, tables in the order of the file, so that command-line overrides can be laid into the same
 // tree and the scene reader needs no library. toml++ 3.3.0 runs into undefined behaviour on bare
-// non-ASCII letters, so these are refused before it sees the text.
+// non-ASCII letters, on headers like "[=" and on "[1, }" (found by fuzzing), so these are refused
+// before it sees the text.
 #pragma once
 
 #include <string>

@@ -23,6 +23,11 @@ struct SearchBox {
   std::array<double, 3> period{};           // 0: not periodic
 };
 
+// Cells low ... high, both included.
+struct CellBlock {
+  std::array<int, 3> low{}, high{};
+};
+
 // One level: entries sorted by cell, cells x-fastest. Positions are f32 relative to `low`: used for a
 // conservative reject only.
 struct GridLevel {
@@ -33,6 +38,24 @@ struct GridLevel {
   Column<Index> begin;        // cells + 1
   Column<Index> particle;     // index in the current order
   Column<float> x, y, z, reach_of;  // reach of each entry: radius + half path
+
+  std::size_t row(int y_cell, int z_cell) const {
+    return (static_cast<std::size_t>(z_cell) * static_cast<std::size_t>(count[1]) +
+            static_cast<std::size_t>(y_cell)) *
+           static_cast<std::size_t>(count[0]);
+  }
+  // Entries in a block of cells.
+  std::size_t entries(const CellBlock& block) const {
+    std::size_t n = 0;
+    for (int z_cell = block.low[2]; z_cell <= block.high[2]; ++z_cell) {
+      for (int y_cell = block.low[1]; y_cell <= block.high[1]; ++y_cell) {
+        const std::size_t at = row(y_cell, z_cell);
+        n += begin[at + static_cast<std::size_t>(block.high[0]) + 1] -
+             begin[at + static_cast<std::size_t>(block.low[0])];
+      }
+    }
+    return n;
+  }
 };
 
 struct SearchGrid {
@@ -41,11 +64,17 @@ struct SearchGrid {
   double margin = 0;  // m, rounding of the f32 positions
 };
 
+// What the search looks at of a random partner, in one cache line.
+struct alignas(64) SearchPoint {
+  std::array<double, 3> x;  // place, m
+  double radius;            // m
+  std::array<float, 3> v;   // velocity, m/s
+  float half_path;          // |v| window / 2, m; set by build_grid()
+  Index id;
+};
+
 struct SearchInput {
-  const double* x[3];  // place
-  const double* v[3];  // velocity
-  const double* radius;
-  const Index* id;
+  SearchPoint* point;
   std::size_t count;
   SearchBox box;
   double window;  // s

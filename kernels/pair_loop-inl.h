@@ -112,24 +112,24 @@ HWY_INLINE void store3(const Vec3V<V>& v, hn::TFromV<V>* const (&to)[3], std::si
 
 // Lane sums of a tally, f64; reduced lane after lane at the end.
 struct TallyV {
-  hn::Vec<D64> work, elastic, slide, tangential_damping, numerical_loss, contacts, warnings, deepest;
+  hn::Vec<D64> work, elastic, slide, tangential_damping, numerical_loss, deepest;
+  std::size_t contacts, warnings;
 };
 HWY_INLINE TallyV zero_tally() {
   const auto z = hn::Zero(D64());
-  return {z, z, z, z, z, z, z, z};
+  return {z, z, z, z, z, z, 0, 0};
 }
 template <class V, class M>
 HWY_INLINE void count_response(const ResponseV<V>& r, M touching, V relative_overlap, TallyV& sum) {
   const hn::DFromV<V> d;
-  const V one = hn::Set(d, 1);
   sum.work = hn::Add(sum.work, to_f64(r.work));
   sum.elastic = hn::Add(sum.elastic, to_f64(r.elastic));
   sum.slide = hn::Add(sum.slide, to_f64(r.slide));
   sum.tangential_damping = hn::Add(sum.tangential_damping, to_f64(r.tangential_damping));
   sum.numerical_loss = hn::Add(sum.numerical_loss, to_f64(r.numerical_loss));
-  sum.contacts = hn::Add(sum.contacts, to_f64(hn::IfThenElseZero(touching, one)));
+  sum.contacts += hn::CountTrue(d, touching);
   const auto deep = hn::And(touching, hn::Gt(relative_overlap, hn::Set(d, hn::TFromV<V>(0.5))));
-  sum.warnings = hn::Add(sum.warnings, to_f64(hn::IfThenElseZero(deep, one)));
+  sum.warnings += hn::CountTrue(d, deep);
   sum.deepest = hn::Max(sum.deepest, to_f64(hn::IfThenElseZero(touching, relative_overlap)));
 }
 inline double sum_lanes(hn::Vec<D64> v) {
@@ -146,8 +146,8 @@ inline void add_tally(const TallyV& v, ContactTally& to) {
   t.slide = sum_lanes(v.slide);
   t.tangential_damping = sum_lanes(v.tangential_damping);
   t.numerical_loss = sum_lanes(v.numerical_loss);
-  t.contacts = sum_lanes(v.contacts);
-  t.warnings = sum_lanes(v.warnings);
+  t.contacts = static_cast<double>(v.contacts);
+  t.warnings = static_cast<double>(v.warnings);
   HWY_ALIGN double lane[hn::MaxLanes(D64())];
   hn::Store(v.deepest, D64(), lane);
   for (std::size_t k = 0; k < hn::Lanes(D64()); ++k) {

@@ -11,9 +11,9 @@ namespace {
 
 constexpr double kTrueLawTime = 0.1;    // s, the end of every settling
 constexpr double kSoftDrag = 4;         // 1/s: falls end at g/4, bounces die within a second
-constexpr double kStiffenStages[] = {1.0 / 32, 1.0 / 8, 1.0 / 3, 1.0};
-constexpr double kStiffenTime = 0.006;  // s a stage at the true step; longer at a longer step
-constexpr double kStiffenDrag = 150;    // 1/s
+constexpr double kStiffenTime = 0.15;   // s, several passes of a sound wave through a deep bed
+constexpr int kStiffenStages = 48;      // so many that a stage releases a tenth of the overlap
+constexpr double kStiffenDrag = 20;     // 1/s
 
 std::uint64_t steps_in(double time, double dt) {
   return static_cast<std::uint64_t>(std::llround(std::max(time, 0.0) / dt));
@@ -47,11 +47,11 @@ void add_settling(const Scene& scene, double dt, double depth, double rest_energ
   if (soft && soft_time > 0) {
     plan.push_back({Phase::kSoft, run.soft_stiffness, dt * stretch, kSoftDrag,
                     steps_in(soft_time, dt * stretch), until_rest ? rest_energy : 0});
-    for (const double stage : kStiffenStages) {
-      if (stage <= run.soft_stiffness) continue;
-      const double stage_stretch = 1 / std::sqrt(stage);
-      plan.push_back({Phase::kSoft, stage, dt * stage_stretch, kStiffenDrag / stage_stretch,
-                      steps_in(kStiffenTime, dt), 0});
+    for (int stage = 1; stage <= kStiffenStages; ++stage) {
+      const double stiffness = std::pow(run.soft_stiffness, 1 - stage / double{kStiffenStages});
+      const double stage_dt = dt / std::sqrt(stiffness);
+      plan.push_back({Phase::kStiffen, stiffness, stage_dt, kStiffenDrag,
+                      steps_in(kStiffenTime / kStiffenStages, stage_dt), 0});
     }
     plan.push_back({Phase::kSettle, 1, dt, 0, steps_in(kTrueLawTime, dt), 0});
   } else {

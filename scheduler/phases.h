@@ -1,8 +1,8 @@
 // Phases: how a charge gets from where it was placed to t = 0, and then through the run.
 //
 //   soft      stiffness * soft_stiffness, a longer step, a drag; until it rests
-//   stiffen   stiffness back to the scene's in a few stages under strong drag, so that the overlaps
-//             of the soft phase are given back slowly
+//   stiffen   stiffness back to the scene's in many small stages, slower than sound crosses the bed,
+//             so that the overlaps of the soft phase are given back without a jump of the charge
 //   settle    the true law and step, no drag: the last 0.1 s of every settling
 //   run       the walls move; time, ledger and records start
 #pragma once

@@ -8,6 +8,7 @@ namespace quern {
 namespace {
 
 constexpr std::uint64_t kShortestWindow = 4, kLongestWindow = 4000;
+constexpr std::uint64_t kShortLife = 25, kLongLife = 60;  // steps
 constexpr std::size_t kChunk = 4096;  // particles per task where order does not matter
 
 std::uint64_t spread_bits(std::uint64_t v) {
@@ -76,13 +77,11 @@ void permute_particles(World<Real>& world, Graph& graph, RebuildScratch<Real>& s
       s.sorted.list_vx[k] = static_cast<float>(r.vx);
       s.sorted.list_vy[k] = static_cast<float>(r.vy);
       s.sorted.list_vz[k] = static_cast<float>(r.vz);
-      const double* place[3] = {&r.x, &r.y, &r.z};
-      const float velocity[3] = {s.sorted.list_vx[k], s.sorted.list_vy[k], s.sorted.list_vz[k]};
-      for (std::size_t a = 0; a < 3; ++a) {
-        s.x[a][k] = *place[a];
-        s.v[a][k] = static_cast<double>(velocity[a]);
-      }
-      s.radius[k] = static_cast<double>(r.radius);
+      s.points[k] = {{r.x, r.y, r.z},
+                     static_cast<double>(r.radius),
+                     {s.sorted.list_vx[k], s.sorted.list_vy[k], s.sorted.list_vz[k]},
+                     0,
+                     s.sorted.id[k]};
     }
   });
 #define QUERN_SWAP(type, name, unit, doc) std::swap(p.name, s.sorted.name);
@@ -106,26 +105,22 @@ void wrap_positions(World<Real>& world) {
 }
 
 template <class Real>
-SearchInput search_input(const World<Real>& world, const RebuildScratch<Real>& s) {
+SearchInput search_input(const World<Real>& world, RebuildScratch<Real>& s) {
   SearchInput in{};
   in.count = world.particles.size();
-  in.radius = s.radius.data();
-  in.id = world.particles.id.data();
+  in.point = s.points.data();
   in.window = static_cast<double>(world.clock.list_window) * world.clock.dt;
-  in.slack = world.slack;
+  in.slack = world.clock.slack;
   for (std::size_t a = 0; a < 3; ++a) {
-    in.x[a] = s.x[a].data();
-    in.v[a] = s.v[a].data();
     const Eigen::Index e = static_cast<Eigen::Index>(a);
-    if (world.periodic[a]) {
-      in.box.low[a] = world.low[e];
-      in.box.high[a] = world.high[e];
-      in.box.period[a] = world.high[e] - world.low[e];
-      continue;
+    double low = s.points[0].x[a], high = low;
+    for (const SearchPoint& p : s.points) {
+      low = std::min(low, p.x[a]);
+      high = std::max(high, p.x[a]);
     }
-    const auto [lowest, highest] = std::minmax_element(s.x[a].begin(), s.x[a].end());
-    in.box.low[a] = *lowest;
-    in.box.high[a] = *highest;
+    in.box.low[a] = world.periodic[a] ? world.low[e] : low;
+    in.box.high[a] = world.periodic[a] ? world.high[e] : high;
+    in.box.period[a] = world.periodic[a] ? world.high[e] - world.low[e] : 0;
   }
   return in;
 }
@@ -221,7 +216,7 @@ double wall_reach(const Body& body, const Vec3& x, const Vec3& v, double time, d
   if (m.kind != MotionKind::kRotation) return (v.norm() + rate) * span;
   const double distance = (x - m.center).cross(m.axis).norm() + v.norm() * span;
   const Vec3 carried = schedule_value(m.rate, time) * m.axis.cross(x - m.center);
-  const double varied = rate - std::abs(schedule_value(m.rate, time));
+  const double varied = max_rate_change(m, time, span);
   return ((v - carried).norm() + varied * distance) * span + rate * rate * distance * span * span;
 }
 
@@ -236,11 +231,13 @@ void find_wall_candidates(World<Real>& world, RebuildScratch<Real>& s, std::size
   const std::size_t last =
       std::min<std::size_t>(world.particles.size(), (tile + 1) * world.tile_size);
   for (std::size_t k = tile * world.tile_size; k < last; ++k) {
-    const Vec3 x(s.x[0][k], s.x[1][k], s.x[2][k]), v(s.v[0][k], s.v[1][k], s.v[2][k]);
+    const SearchPoint& p = s.points[k];
+    const Vec3 x(p.x[0], p.x[1], p.x[2]);
+    const Vec3 v = Eigen::Map<const Eigen::Vector3f>(p.v.data()).cast<double>();
     for (std::size_t b = 0; b < world.bodies.size(); ++b) {
       const Body& body = world.bodies[b];
       const double reach =
-          s.radius[k] + 0.5 * world.slack + wall_reach(body, x, v, world.wall_time(), span);
+          p.radius + 0.5 * world.clock.slack + wall_reach(body, x, v, world.wall_time(), span);
       const Vec3 in_body = body.pose.rotation.transpose() * (x - body.pose.shift);
       find_facets(body.facets, in_body, reach, c.facet);
       if (c.facet.size() == c.first.back()) continue;
@@ -271,20 +268,26 @@ void carry_wall_springs(World<Real>& world, const RebuildScratch<Real>& s) {
 
 }  // namespace
 
-void adapt_window(Clock& clock, bool expired) {
+void adapt_lists(Clock& clock, const ListEnd& end) {
   const std::uint64_t lasted = std::max<std::uint64_t>(clock.total_steps - clock.list_step, 1);
-  const std::uint64_t next = expired ? 2 * clock.list_window : lasted + lasted / 4;
+  const std::uint64_t next = end.expired ? 2 * clock.list_window : lasted + lasted / 4;
   clock.list_window = std::clamp(next, kShortestWindow, kLongestWindow);
+  if (clock.fixed_slack != 0) return;
+  if (end.expired) {
+    // Nobody came near the limit: four times what was needed is enough for twice the window.
+    clock.slack = std::min(clock.slack, 8 * end.deviation);
+  } else if (lasted < kShortLife) {
+    clock.slack *= 1.1;
+  } else if (lasted > kLongLife) {
+    clock.slack /= 1.1;
+  }
+  clock.slack = std::clamp(clock.slack, 0.02 * end.smallest_radius, 1.0 * end.smallest_radius);
 }
 
 template <class Real>
 void rebuild(World<Real>& world, Graph& graph, RebuildScratch<Real>& s) {
   const std::size_t n = world.particles.size();
-  for (std::size_t a = 0; a < 3; ++a) {
-    s.x[a].resize(n);
-    s.v[a].resize(n);
-  }
-  s.radius.resize(n);
+  s.points.resize(n);
   wrap_positions(world);
   order_particles(world, graph, s);
   permute_particles(world, graph, s);

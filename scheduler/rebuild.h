@@ -18,8 +18,7 @@ template <class Real>
 struct RebuildScratch {
   std::vector<std::pair<std::uint64_t, Index>> keys;
   std::vector<Index> old_of_new, new_of_old;
-  std::array<std::vector<double>, 3> x, v;
-  std::vector<double> radius;
+  std::vector<SearchPoint> points;
   SearchGrid grid;
   std::vector<std::vector<CandidatePair>> own;       // per tile
   std::vector<std::vector<CandidatePair>> imported;  // per tile
@@ -31,7 +30,13 @@ struct RebuildScratch {
 template <class Real>
 void rebuild(World<Real>& world, Graph& graph, RebuildScratch<Real>& scratch);
 
-// Chooses the next window from how the last one ended; a function of the state alone.
-void adapt_window(Clock& clock, bool expired);
+// Chooses the next window and slack from how the last lists ended; a function of the state alone.
+// Wide lists cost every step, short-lived ones cost rebuilds: lists should last some tens of steps.
+struct ListEnd {
+  bool expired = false;       // by their window; else somebody left its line
+  double deviation = 0;       // m, the largest from a straight line
+  double smallest_radius = 0; // m
+};
+void adapt_lists(Clock& clock, const ListEnd& end);
 
 }  // namespace quern

@@ -373,7 +373,9 @@ World<Real> make_world(const Scene& scene, SceneGeometry geometry,
   }
   world.walls = std::move(geometry.walls);
   world.bodies = std::move(geometry.bodies);
-  world.slack = scene.run.list_slack.value_or(0.2 * radius_range(particles).first);
+  world.smallest_radius = radius_range(particles).first;
+  world.clock.slack = scene.run.list_slack.value_or(0.2 * world.smallest_radius);
+  world.clock.fixed_slack = scene.run.list_slack ? 1 : 0;
   world.clock.dt = choose_time_step(scene, particles);
   world.pairs.rolling = world.rolling;
   set_stiffness(world, scene, 1);

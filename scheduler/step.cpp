@@ -267,9 +267,9 @@ StepReport Stepper<Real>::step() {
   ++clock.total_steps;
   clock.first_kick = 0;
   const bool expired = clock.total_steps - clock.list_step > clock.list_window;
-  const double allowed = 0.5 * world_.slack;
+  const double allowed = 0.5 * clock.slack;
   if (expired || world_.totals.max_deviation2 > allowed * allowed) {
-    adapt_window(clock, expired);
+    adapt_lists(clock, {expired, std::sqrt(world_.totals.max_deviation2), world_.smallest_radius});
     clock.list_stale = 1;
   }
   times_.totals += seconds_since(start);

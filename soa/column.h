@@ -61,7 +61,7 @@ class ColumnBase {
 
   // Makes room for n elements; contents are undefined (and untouched if memory had to grow).
   void reset(std::size_t n) {
-    if (n > capacity_ || bytes_ == nullptr) {
+    if (n + kColumnPad > capacity_ || bytes_ == nullptr) {
       std::free(bytes_);
       allocate(n);
     }
@@ -70,7 +70,7 @@ class ColumnBase {
   }
   // Grows or shrinks, keeping the first min(n, size()) elements.
   void resize(std::size_t n) {
-    if (n > capacity_ || bytes_ == nullptr) {
+    if (n + kColumnPad > capacity_ || bytes_ == nullptr) {
       void* old = bytes_;
       const std::size_t keep = size_ * element_bytes_;
       allocate(n + n / 4);

@@ -83,7 +83,9 @@ Pose pose_at(const Motion& motion, double time) {
 WallVelocity velocity_over(const Motion& motion, double time, double dt) {
   WallVelocity velocity;
   if (motion.kind == MotionKind::kFixed) return velocity;
-  const double amount = advance(motion, time - dt, time);
+  // `from` is rounded, the same way for seconds on end; the step is dt.
+  const double from = time - dt;
+  const double amount = advance(motion, from, time) * (dt / (time - from));
   const Vec3 axis = motion.axis.normalized();
   if (motion.kind != MotionKind::kRotation) {
     velocity.offset = amount / dt * axis;
@@ -108,6 +110,16 @@ double max_rate(const Motion& motion, double time, double span) {
                          std::abs(schedule_value(motion.rate, to)));
   for (const auto& point : motion.rate.points) {
     if (point.time >= from && point.time <= to) most = std::max(most, std::abs(point.value));
+  }
+  return most;
+}
+
+double max_rate_change(const Motion& motion, double time, double span) {
+  const double from = std::max(0.0, time), to = std::max(0.0, time + span);
+  const double now = schedule_value(motion.rate, from);
+  double most = std::abs(schedule_value(motion.rate, to) - now);
+  for (const auto& point : motion.rate.points) {
+    if (point.time >= from && point.time <= to) most = std::max(most, std::abs(point.value - now));
   }
   return most;
 }

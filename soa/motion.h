@@ -31,5 +31,7 @@ Pose pose_at(const Motion& motion, double time);
 WallVelocity velocity_over(const Motion& motion, double time, double dt);
 // Upper bound of |rate| over [time, time + span], for list windows.
 double max_rate(const Motion& motion, double time, double span);
+// Upper bound of |rate - rate(time)| over [time, time + span]; not for oscillations.
+double max_rate_change(const Motion& motion, double time, double span);
 
 }  // namespace quern

@@ -90,7 +90,7 @@ struct Window {
   double dissipated = 0;
 };
 
-enum class Phase : std::uint32_t { kSoft, kSettle, kRun };
+enum class Phase : std::uint32_t { kSoft, kStiffen, kSettle, kRun };
 
 // Plain numbers that the next step depends on; saved as one block.
 struct Clock {
@@ -102,6 +102,8 @@ struct Clock {
   std::uint64_t list_window = 20;  // steps the lists were built for
   std::uint64_t list_stale = 1;
   std::uint64_t rebuilds = 0;
+  double slack = 0;              // m, of the lists
+  std::uint64_t fixed_slack = 0;  // the scene gave it: never adapted
   std::uint64_t first_kick = 1;  // the next step starts from full-step velocities
   std::uint64_t inserted = 0;    // particles inserted so far (rain)
 };
@@ -110,7 +112,7 @@ template <class Real>
 struct World {
   // From the scene; constant.
   Index tile_size = 1024;
-  double slack = 0;  // m, list slack
+  double smallest_radius = 0;  // m
   Vec3 gravity = Vec3::Zero();
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();  // domain
   std::array<bool, 3> periodic{};

@@ -1,5 +1,126 @@
 #include "apps/quern/check.h"
 
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <map>
+
+#include "apps/quern/load.h"
+#include "apps/quern/recorder.h"
+#include "io/log.h"
+#include "scheduler/phases.h"
+#include "scheduler/step.h"
+#include "scheduler/trial.h"
+
 namespace quern {
-int check_command(const RunOptions&) { return 0; }
+
+namespace {
+
+double seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+// Critical speed of a mill in rpm, 42.3 / sqrt(D).
+double critical_rpm(double diameter) { return 42.3 / std::sqrt(diameter); }
+
+void print_contents(const LoadedScene& loaded) {
+  const Scene& scene = loaded.scene;
+  std::map<std::size_t, std::pair<std::size_t, double>> by_species;
+  double mass = 0, volume = 0;
+  for (const ParticleSeed& p : loaded.seeds) {
+    const double v = sphere_volume(p.radius), m = scene.materials[p.material].density * v;
+    ++by_species[p.species].first;
+    by_species[p.species].second += m;
+    mass += m;
+    volume += v;
+  }
+  for (const auto& [row, sums] : by_species) {
+    log_info(fmt::format("particles    {:>9} {:<16} {:.6g} kg", sums.first, scene.particles[row].name,
+                         sums.second));
+  }
+  log_info(fmt::format("in all       {:>9} particles, {:.6g} kg, solid volume {:.4g} m^3",
+                       loaded.seeds.size(), mass, volume));
+  if (!scene.mill) return;
+  const MillSpec& mill = *scene.mill;
+  const double level = volume / kBulkSolidFraction / (mill_inner_area(mill) * mill.length);
+  log_info(fmt::format("filling      {:.1f} % of the mill's volume (bulk at porosity 0.4)", 100 * level));
+  double fastest = 0;
+  for (const Schedule::Point& p : mill.rotation.points) fastest = std::max(fastest, std::abs(p.value));
+  const double rpm = fastest * 30 / kPi;
+  log_info(fmt::format("speed        {:.4g} rpm, {:.1f} % of critical ({:.4g} rpm)", rpm,
+                       100 * rpm / critical_rpm(mill.diameter), critical_rpm(mill.diameter)));
+}
+
+void print_steps(const LoadedScene& loaded) {
+  log_info(fmt::format("time step    {:.4g} s; steps per contact (normal, tangential; {:g} refused, "
+                       "{:g} warned, {:g} advised)",
+                       loaded.dt, kRefusedSteps, kWarnedSteps, kAdvisedSteps));
+  for (const StepAdvice& a : advise_steps(loaded.scene, loaded.seeds, loaded.dt)) {
+    log_info(fmt::format("  {:<20} {:<20} {:8.1f} {:8.1f}", a.a, a.b, a.steps_normal,
+                         a.steps_tangential));
+  }
+  const TrialSpec spec = finest_class_trial(loaded.scene);
+  const StabilityTrial trial = measure_stability(loaded.scene, spec);
+  log_info(fmt::format("limit        a dense packing of {:g}-{:g} mm stayed at rest down to {:g} steps "
+                       "per contact (measured)",
+                       1e3 * spec.from, 1e3 * spec.to, trial.limit));
+}
+
+template <class Real>
+void print_cost(const LoadedScene& loaded, int threads) {
+  std::vector<ParticleSeed> seeds = loaded.seeds;
+  SceneGeometry geometry = build_geometry(loaded.scene, loaded.meshes, seeds);
+  for (const Body& body : geometry.bodies) {
+    const FacetReport& r = body.facets.report;
+    log_info(fmt::format("walls        {} triangles, {} edges; {} without area, {} welded corners, "
+                         "{} split edges, {} open edges",
+                         body.facets.triangles(), body.facets.edges(), r.zero_area,
+                         r.welded_vertices, r.split_edges, r.boundary_edges));
+  }
+  const FillReport fill = place_particles(loaded.scene, geometry.facets(), seeds);
+  log_info(fmt::format("placing      {:.1f} s, solid fraction {:.3f}", fill.seconds, fill.fraction));
+  World<Real> world = make_world<Real>(loaded.scene, std::move(geometry), seeds);
+  const double depth = (fill.high - fill.low).maxCoeff();
+  const std::vector<PhasePlan> plan =
+      plan_phases(loaded.scene, loaded.dt, depth, world.total_mass, 0.01);
+  std::uint64_t steps = 0;
+  for (const PhasePlan& phase : plan) steps += phase.steps;
+  Stepper<Real> stepper(world, threads);
+  enter_phase(world, loaded.scene, plan, 0);
+  const double start = seconds();
+  std::uint64_t taken = 0;
+  while (seconds() - start < 2 && taken < plan[0].steps) {
+    if ((stepper.step().bits & kFatalBits) != 0) break;
+    ++taken;
+  }
+  const double n = static_cast<double>(world.particles.size());
+  const double rate = n * static_cast<double>(taken) / (seconds() - start);
+  // A settled charge has several times the contacts of one that has just been placed.
+  constexpr double kSettledShare = 0.4;
+  log_info(fmt::format("memory       {:.0f} MB peak, {:.0f} B per particle",
+                       static_cast<double>(peak_memory()) * 1e-6,
+                       static_cast<double>(peak_memory()) / n));
+  log_info(fmt::format("time         {} steps; {:.3g} particle steps per second measured on the loose "
+                       "charge, {} threads; about {} with the charge settled",
+                       steps, rate, stepper.graph().threads(),
+                       format_clock(static_cast<double>(steps) * n / (kSettledShare * rate))));
+}
+
+}  // namespace
+
+int check_command(const RunOptions& options) {
+  const LoadedScene loaded = load_scene(options.scene, options.overrides);
+  log_info(fmt::format("{}: valid", options.scene));
+  print_contents(loaded);
+  print_steps(loaded);
+  if (loaded.scene.run.precision == Precision::kDouble) {
+    print_cost<double>(loaded, options.threads);
+  } else {
+    print_cost<float>(loaded, options.threads);
+  }
+  judge_time_step(loaded);
+  return 0;
+}
+
 }  // namespace quern

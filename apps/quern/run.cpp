@@ -84,7 +84,9 @@ class Run {
       enter_phase(world_, loaded_.scene, plan_, row);
       const bool run = row + 1 == plan_.size();
       if (run && row > 0 && world_.clock.step == 0) save(options_.out + "/settled");
-      if (world_.clock.step == 0) save(options_.out);
+      const bool stage = row > 0 && plan_[row].kind == Phase::kStiffen &&
+                         plan_[row - 1].kind == Phase::kStiffen;
+      if (world_.clock.step == 0 && !stage) save(options_.out);
       fine = run_phase(plan_[row]);
       if (g_signal != 0 || stopped_) break;
     }
@@ -117,7 +119,6 @@ class Run {
 
   bool run_phase(const PhasePlan& phase) {
     const bool run = phase.kind == Phase::kRun;
-    Progress progress;
     const double phase_started = now();
     const std::uint64_t first_step = world_.clock.step;
     while (!phase_is_over(world_, phase)) {
@@ -139,10 +140,10 @@ class Run {
       if (run) recorder_->after_step(world_);
       if (g_signal != 0) break;
       if (world_.clock.step % 32 != 0) continue;
-      if (progress.due()) progress.show(line(phase, phase_started, first_step));
+      if (progress_.due()) progress_.show(line(phase, phase_started, first_step));
       if (now() - last_checkpoint_ > loaded_.scene.output.checkpoint_every) save(options_.out);
     }
-    if (now() - phase_started > 0.5) progress.finish(line(phase, phase_started, first_step));
+    if (run) progress_.finish(line(phase, phase_started, first_step));
     return true;
   }
 
@@ -257,6 +258,7 @@ class Run {
   std::unique_ptr<Stepper<Real>> stepper_;
   std::unique_ptr<Recorder> recorder_;
   RunFigures figures_;
+  Progress progress_;
   bool stopped_ = false;
 };
 

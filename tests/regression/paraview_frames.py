@@ -3,10 +3,10 @@
 usage: xvfb-run -a pvbatch paraview_frames.py FRAMES_FOLDER PICTURE.png [PARTICLES]
 
 Loads particles.hdf.series and liner.hdf.series the way the file dialog does. The times are compared
-with the series files, the number of particles of each frame with PARTICLES if given; every field must
-be there. The picture is seen along -z, in perspective so that the shell shows: spheres of their true
-size coloured by speed, the liner as a translucent surface. A picture of one colour only means that
-nothing was drawn and counts as a failure. Exits 1 on any failure.
+with the series files, the number of particles of each frame with PARTICLES if given; all fields
+must be there. The picture is seen along -z, in perspective so that the shell shows: spheres of
+true size coloured by speed, the liner as a translucent surface. A picture of one colour only means
+that nothing was drawn and counts as a failure. Exits 1 on any failure.
 """
 
 import json
@@ -71,7 +71,8 @@ def check_liner(reader, times):
 
 def render(particles, liner, time, picture):
     view = pv.CreateRenderView()
-    view.ViewSize = [1000, 1000]
+    view.ViewSize = [1000, 860]
+    view.OrientationAxesVisibility = 0
     view.ViewTime = time
     view.Background = [1, 1, 1]
     view.UseColorPaletteForBackground = 0
@@ -89,8 +90,12 @@ def render(particles, liner, time, picture):
     bar = pv.GetScalarBar(pv.GetColorTransferFunction("speed"), view)
     bar.Title, bar.ComponentTitle = "speed (m/s)", ""
     bar.TitleColor = bar.LabelColor = [0, 0, 0]
+    bar.RangeLabelFormat = bar.LabelFormat = "%.1f"
     if liner is not None:
-        wall = pv.Show(liner, view)
+        # The first wall only: a mill's ends would stand before the charge.
+        first = pv.Threshold(liner, Scalars=["CELLS", "wall"])
+        first.LowerThreshold = first.UpperThreshold = 0
+        wall = pv.Show(first, view)
         wall.Representation = "Surface"
         wall.ColorArrayName = [None, ""]
         wall.DiffuseColor = [0.4, 0.4, 0.45]
@@ -100,6 +105,7 @@ def render(particles, liner, time, picture):
     view.CameraPosition = [focus[0], focus[1], focus[2] + 10]
     view.CameraViewUp = [0, 1, 0]
     pv.ResetCamera(view)
+    view.GetActiveCamera().Dolly(1.25)
     pv.SaveScreenshot(picture, view)
 
 

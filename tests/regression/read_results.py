@@ -49,11 +49,14 @@ def check_run(folder):
     with h5py.File(path, "r") as file:
         list_datasets(path, file)
         if check("series" in file and "time" in file["series"], f"{path}: no series/time"):
-            rows = {name: item.shape[0] for name, item in file["series"].items()}
+            series = {}
+            file["series"].visititems(lambda name, item: series.update(
+                {name: item} if isinstance(item, h5py.Dataset) else {}))
+            rows = {name: item.shape[0] for name, item in series.items()}
             check(len(set(rows.values())) == 1, f"{path}: series of unequal length: {rows}")
             time = file["series/time"][:]
             check((time[1:] > time[:-1]).all(), f"{path}: series/time does not increase")
-            for name, item in file["series"].items():
+            for name, item in series.items():
                 check(item.attrs.get("doc"), f"{path}: series/{name} has no doc")
         if check("provenance" in file, f"{path}: no provenance"):
             for name, value in file["provenance"].attrs.items():

@@ -17,6 +17,11 @@
 #include "io/hdf5_file.h"
 #include "tests/support/temp_folder.h"
 
+#if defined(__SANITIZE_ADDRESS__)
+// HDF5 1.10 loses some 400 bytes for each damaged object it meets; our own leaks still show.
+extern "C" const char* __lsan_default_suppressions() { return "leak:libhdf5"; }
+#endif
+
 namespace quern {
 namespace {
 
@@ -115,18 +120,12 @@ bool contains(const std::string& text, const std::string& part) {
 }
 
 // Runs `action` in a child process; its return value is the exit status. The child exits as a
-// program does, so that a clean-up that crashes shows; not with leak checks, which HDF5 fails by
-// then.
+// program does, so that a clean-up at exit that crashes would show.
 template <class Action>
 pid_t in_child(Action&& action) {
   const pid_t child = fork();
-  if (child != 0) return child;
-  const int status = action();
-#if defined(__SANITIZE_ADDRESS__)
-  _exit(status);
-#else
-  std::exit(status);
-#endif
+  if (child == 0) std::exit(action());
+  return child;
 }
 
 int exit_status(pid_t child) {
@@ -175,8 +174,9 @@ TEST(Checkpoint, IsTheSameFileForTheSameState) {
   const TempFolder a, b;
   State state(1000, 3);
   write(a.path(), state);
+  usleep(1100000);  // a time of day in the file would show
   write(b.path(), state);
-  EXPECT_EQ(read_bytes(a / "checkpoint.h5"), read_bytes(b / "checkpoint.h5"));
+  EXPECT_TRUE(read_bytes(a / "checkpoint.h5") == read_bytes(b / "checkpoint.h5"));
 }
 
 TEST(Checkpoint, KeepsThePreviousOne) {

@@ -1,0 +1,36 @@
+// Trials: short runs that measure what a formula only estimates.
+#pragma once
+
+#include <vector>
+
+#include "soa/scene.h"
+
+namespace quern {
+
+// A dense packing of a scene's finest class at rest on a wall, stepped with fewer and fewer steps per
+// contact. `energy` is the median kinetic energy per particle after the trial, in units of m g d.
+struct StabilityPoint {
+  double steps_per_contact = 0;
+  double energy = 0;       // median kinetic energy of a particle, J
+  bool stable = false;     // at rest: energy below 1e-6 m g d, and finite
+};
+struct StabilityTrial {
+  double limit = 0;  // fewest steps per contact that kept the packing at rest; 0: none did
+  std::vector<StabilityPoint> points;
+};
+
+// `particles` spheres with diameters uniform in [from, to], periodic sideways, on a floor of
+// `wall_material`; all with the law of the scene. Runs a few seconds on one thread.
+struct TrialSpec {
+  std::size_t particles = 160;
+  double from = 0, to = 0;  // m
+  std::string material, wall_material;
+  std::vector<double> steps_per_contact = {8, 6.5, 5.2, 4.4, 4.0, 3.6, 3.2, 2.8, 2.5, 2.2};
+  std::uint64_t steps = 4000;  // of each point
+};
+StabilityTrial measure_stability(const Scene& scene, const TrialSpec& spec);
+
+// Largest stable-looking default: finest class of the scene against its first wall.
+TrialSpec finest_class_trial(const Scene& scene);
+
+}  // namespace quern

@@ -1,0 +1,212 @@
+#!/usr/bin/python3
+"""The program seen from outside: exit codes, messages, results, signals.
+
+usage: QUERN_PROGRAM=build/release/quern cli_test.py [CLASS ...]
+"""
+
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+PROGRAM = os.environ["QUERN_PROGRAM"]
+SCENES = pathlib.Path(__file__).resolve().parents[2] / "apps" / "scenes"
+LAB_MILL = str(SCENES / "lab_mill_spheres.toml")
+BOUNCE = str(SCENES / "bounce.toml")
+
+# A mill that turns at once: some seconds of computing.
+SHORT = ["--set", "run.settle=none", "--set", "run.duration=0.2", "--set", "run.record_from=0.05"]
+LONGER = SHORT + ["--set", "run.duration=0.6"]  # long enough to be interrupted
+
+
+def quern(*arguments, cwd=None):
+    return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True,
+                          cwd=cwd, timeout=100, check=False)
+
+
+class Case(unittest.TestCase):
+    maxDiff = None
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="quern_cli_")
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.out = self.folder / "out"
+
+    def expect(self, code, result, *texts):
+        """The exit code, and texts that standard output or error must hold."""
+        said = result.stdout + result.stderr
+        self.assertEqual(result.returncode, code, said)
+        for text in texts:
+            self.assertIn(text, said)
+        return result
+
+    def summary(self):
+        with open(self.out / "summary.json", encoding="utf-8") as file:
+            return json.load(file)
+
+
+class Info(Case):
+    def test_lists_what_the_code_offers(self):
+        self.expect(0, quern("info"), "linear-spring-dashpot", "normal_stiffness", "N/m", "clamped",
+                    "sphere-sphere", "sphere-facet", "inverse_mass", "power", "ledger_error",
+                    "run.time_step", "mill.lifters.count", "SIMD targets")
+
+    def test_says_how_it_is_used(self):
+        self.expect(0, quern("--help"), "run", "resume", "check", "info")
+        self.expect(0, quern("--version"), "0.")
+        self.expect(2, quern())
+        self.expect(2, quern("grind"))
+        self.expect(2, quern("run"))
+
+
+class Check(Case):
+    def test_says_what_a_scene_holds_and_costs(self):
+        said = self.expect(0, quern("check", LAB_MILL), "380", "kg", "filling", "of critical",
+                           "steps per contact", "limit", "memory", "particle steps per second")
+        # 380 spheres: 300 of 13.75 mm and 80 of 18 mm in a drum of 300 mm x 40 mm.
+        self.assertRegex(said.stdout, r"ball\b")
+        self.assertRegex(said.stdout, r"ore\b")
+
+    def test_refuses_too_few_steps_per_contact(self):
+        self.expect(2, quern("check", LAB_MILL, "--set", "run.time_step=1e-4"), "steps per contact")
+
+    def test_writes_nothing(self):
+        self.expect(0, quern("check", BOUNCE, cwd=self.folder))
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+
+class Mistakes(Case):
+    def scene(self, find, replace):
+        text = pathlib.Path(BOUNCE).read_text(encoding="utf-8")
+        self.assertIn(find, text)
+        path = self.folder / "scene.toml"
+        path.write_text(text.replace(find, replace, 1), encoding="utf-8")
+        return path
+
+    def test_in_a_scene_end_with_2_and_a_place(self):
+        path = self.scene("restitution = 0.8", "restitutoin = 0.8")
+        for command in ("run", "check"):
+            self.expect(2, quern(command, path, cwd=self.folder), f"{path}:", "error:",
+                        "restitutoin", "did you mean 'restitution'")
+
+    def test_are_told_all_at_once(self):
+        path = self.scene('diameter = "20 mm"', 'diameter = "20 kg"\ncuont = 3')
+        result = quern("run", path, cwd=self.folder)
+        self.expect(2, result, "kg", "cuont")
+        self.assertGreaterEqual(result.stderr.count("error:"), 2)
+        self.assertEqual(sorted(p.name for p in self.folder.iterdir()), ["scene.toml"])
+
+    def test_on_the_command_line_end_with_2(self):
+        self.expect(2, quern("run", BOUNCE, "--out", self.out, "--set", "run.duratoin=1"),
+                    "run.duratoin", "did you mean")
+        self.expect(2, quern("run", BOUNCE, "--threads", "-1"), "threads")
+        self.expect(2, quern("run", self.folder / "no_such.toml"), "no_such.toml")
+
+    def test_of_the_system_end_with_3(self):
+        self.expect(3, quern("run", BOUNCE, "--out", "/dev/null/out"), "/dev/null/out")
+        self.expect(3, quern("resume", self.folder), str(self.folder))
+        (self.folder / "checkpoint.h5").write_bytes(b"no checkpoint")
+        self.expect(3, quern("resume", self.folder), "checkpoint.h5")
+
+
+class Summary(Case):
+    MEANS = ["power_W", "torque_Nm", "kinetic_energy_J", "rotational_energy_J",
+             "contacts_per_particle", "center_of_mass_x_m", "center_of_mass_y_m",
+             "center_of_mass_z_m"]
+    FIGURES = ["particles", "steps", "time_s", "wall_s", "particle_steps_per_s", "center_of_mass_m",
+               "ledger_error", "numerical_loss", "state_hash", "peak_memory_B", "threads",
+               "simd_target", "precision", "version"]
+
+    def test_has_every_figure_and_means_with_errors(self):
+        self.expect(0, quern("run", LAB_MILL, "--out", self.out, "--threads", 1, *SHORT),
+                    "power", "energy", str(self.out))
+        summary = self.summary()
+        for name in self.FIGURES + self.MEANS:
+            self.assertIsNotNone(summary.get(name), name)
+        for name in self.MEANS:
+            self.assertGreaterEqual(summary[name + "_standard_error"], 0, name)
+        self.assertEqual(summary["particles"], 380)
+        self.assertEqual(summary["steps"], 20000)
+        self.assertAlmostEqual(summary["time_s"], 0.2, delta=1e-9)
+        self.assertEqual(summary["threads"], 1)
+        self.assertEqual(summary["precision"], "mixed")
+        self.assertLess(summary["ledger_error"], 1e-3)
+        self.assertEqual(len(summary["center_of_mass_m"]), 3)
+        for name in ("scene.toml", "run.h5", "checkpoint.h5"):
+            self.assertTrue((self.out / name).is_file(), name)
+
+    def test_until_stops_early_and_resume_goes_on(self):
+        self.expect(0, quern("run", BOUNCE, "--out", self.out, "--until", 0.1))
+        self.assertAlmostEqual(self.summary()["time_s"], 0.1, delta=1e-5)
+        self.assertFalse(self.summary()["finished"])
+        self.expect(0, quern("resume", self.out, "--until", 0.2))
+        self.assertAlmostEqual(self.summary()["time_s"], 0.2, delta=1e-5)
+
+    def test_a_written_scene_runs_as_the_original(self):
+        self.expect(0, quern("run", BOUNCE, "--out", self.out, "--until", 0.2))
+        first = self.summary()["state_hash"]
+        scene = self.out / "scene.toml"
+        self.out = self.folder / "again"
+        self.expect(0, quern("run", scene, "--out", self.out, "--until", 0.2))
+        self.assertEqual(self.summary()["state_hash"], first)
+
+
+class Signals(Case):
+    def start(self, *more):
+        process = subprocess.Popen(
+            [PROGRAM, "run", LAB_MILL, "--out", str(self.out), "--threads", "1", *LONGER, *more],
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        self.addCleanup(process.stdout.close)
+        self.addCleanup(process.kill)
+        return process
+
+    def wait_for_series(self):
+        """Until the mill turns and has written some rows of its series."""
+        for _ in range(6000):
+            path = self.out / "run.h5"
+            if path.is_file() and path.stat().st_mtime > self.begun + 0.3:
+                return
+            time.sleep(0.01)
+        self.fail("the run does not begin")
+
+    def straight_hash(self):
+        out, self.out = self.out, self.folder / "straight"
+        self.expect(0, quern("run", LAB_MILL, "--out", self.out, "--threads", 1, *LONGER))
+        straight, self.out = self.summary(), out
+        return straight["state_hash"]
+
+    def interrupt(self, number, *more):
+        self.begun = time.time()
+        process = self.start(*more)
+        self.wait_for_series()
+        process.send_signal(number)
+        said, _ = process.communicate(timeout=60)
+        return process.returncode, said
+
+    def test_sigterm_leaves_a_checkpoint_and_resume_ends_as_a_straight_run(self):
+        for number in (signal.SIGTERM, signal.SIGINT):
+            code, said = self.interrupt(number)
+            self.assertEqual(code, 0, said)
+            self.assertIn("resume", said)
+            stopped = self.summary()
+            self.assertFalse(stopped["finished"], "the run ended before the signal")
+            self.assertTrue((self.out / "checkpoint.h5").is_file())
+        self.expect(0, quern("resume", self.out, "--threads", 2))
+        self.assertTrue(self.summary()["finished"])
+        self.assertEqual(self.summary()["state_hash"], self.straight_hash())
+
+    def test_a_killed_run_resumes_from_its_last_checkpoint(self):
+        code, _ = self.interrupt(signal.SIGKILL, "--set", "output.checkpoint_every=0.1")
+        self.assertEqual(code, -signal.SIGKILL)
+        self.expect(0, quern("resume", self.out))
+        self.assertTrue(self.summary()["finished"])
+        self.assertEqual(self.summary()["state_hash"], self.straight_hash())
+
+
+if __name__ == "__main__":
+    unittest.main()

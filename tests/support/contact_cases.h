@@ -1,0 +1,244 @@
+// Random contacts for the kernel tests: partners, history and coefficients, in every state a
+// contact can be in, away from the branch points of the law (there kernel and twin may rightly
+// differ).
+//
+// Slot k of a batch is the pair of particles 2k and 2k + 1, so that the rows of a tile show each
+// contact by itself. Everything is as large and as fast as in a mill: metres from the origin,
+// moving at 5 m/s, with overlaps from 1e-6 to 1e-1 of the radius.
+#pragma once
+
+#include <hwy/targets.h>
+
+#include <cfenv>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "soa/column.h"
+#include "tests/support/test_walls.h"
+#include "tests/support/twin_kernels.h"
+
+namespace quern::test {
+
+// Runs `body` once for every SIMD target of this CPU, with that target chosen.
+//
+// Floating-point traps are off for f32 on targets with two f64 lanes: two f32 lanes fill half of a
+// register there, and the idle half may divide zero by zero (it is never read).
+template <class Real>
+void for_each_target(const std::function<void(const std::string&)>& body) {
+  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(target);
+    const bool half_empty = sizeof(Real) == 4 && target >= HWY_SSE4;
+    const int traps = fegetexcept();
+    if (half_empty) fedisableexcept(FE_ALL_EXCEPT);
+    body(hwy::TargetName(target));
+    feclearexcept(FE_ALL_EXCEPT);
+    feenableexcept(traps);
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+struct CaseOptions {
+  Index materials = 1;
+  bool clamped = true, tangential_damping = true, rolling = false, periodic = false;
+};
+
+inline std::vector<CaseOptions> all_options() {
+  std::vector<CaseOptions> all;
+  for (int bits = 0; bits < 32; ++bits) {
+    all.push_back(
+        {bits & 1 ? 3u : 1u, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0, (bits & 16) != 0});
+  }
+  return all;
+}
+
+inline std::string name_of(const CaseOptions& o) {
+  return std::string(o.materials > 1 ? "3 materials" : "1 material") +
+         (o.clamped ? ", clamped" : ", unclamped") + (o.tangential_damping ? ", damped" : "") +
+         (o.rolling ? ", rolling" : "") + (o.periodic ? ", periodic" : "");
+}
+
+// Symmetric tables of the law, magnitudes of ore and steel.
+template <class Real>
+struct RandomLaw {
+  std::vector<Real> column[6];
+  RandomLaw(const CaseOptions& o, unsigned seed) {
+    Random random(seed);
+    for (auto& c : column) c.resize(o.materials * o.materials);
+    for (Index a = 0; a < o.materials; ++a) {
+      for (Index b = 0; b <= a; ++b) {
+        const double kn = random(1e5, 2e7), zeta = random(0.05, 0.6), kt = random(0.3, 0.8) * kn;
+        const double values[6] = {kn,
+                                  kt,
+                                  2 * zeta * std::sqrt(kn),
+                                  o.tangential_damping ? 2 * zeta * std::sqrt(kt * 2 / 7) : 0,
+                                  random(0.1, 0.7),
+                                  o.rolling ? random(0.001, 0.1) : 0};
+        for (std::size_t k = 0; k < 6; ++k) {
+          column[k][a * o.materials + b] = column[k][b * o.materials + a] =
+              static_cast<Real>(values[k]);
+        }
+      }
+    }
+  }
+  LawTable<Real> table(Index materials) const {
+    return {column[0].data(), column[1].data(), column[2].data(), column[3].data(),
+            column[4].data(), column[5].data(), materials};
+  }
+};
+
+inline constexpr double kCaseStep = 1e-5;  // s
+
+template <class Real>
+StepConstants<Real> constants(const CaseOptions& o, const RandomLaw<Real>& law) {
+  StepConstants<Real> c{};
+  c.law = law.table(o.materials);
+  c.dt = kCaseStep;
+  c.clamped = o.clamped;
+  c.rolling = o.rolling;
+  c.periodic = o.periodic;
+  if (o.periodic) {
+    c.period[2] = 0.5;
+    c.inverse_period[2] = 1 / c.period[2];
+  }
+  return c;
+}
+
+// A spring across n, and the force of a step ago that may go with it.
+inline twin::History random_history(const twin::Coefficients& law, const Vec3& normal_old,
+                                    double overlap, bool rolling, Random& random) {
+  twin::History h;
+  const Vec3 any = random.in_cube(1);
+  const Vec3 across = any - any.dot(normal_old) * normal_old;
+  // Springs around the length at which sliding begins: both kinds occur.
+  h.spring = across * (random(0, 2) * law.mu * law.kn / law.kt * overlap);
+  h.force = law.kn * overlap * random(0.3, 1.2) * normal_old - law.kt * random(0.3, 1) * h.spring;
+  if (rolling) h.moment = random.in_cube(law.mur * 0.01 * law.kn * overlap);
+  return h;
+}
+
+enum class TouchState { kFresh, kPersisting, kLost, kApart };
+
+// Particles in pairs with their slots and histories, ready for the pair kernel.
+template <class Real>
+struct PairCases {
+  Column<Record<Real>> record;
+  Column<Real> inverse_mass;
+  Column<std::uint32_t> tag;
+  Column<Index> i, j;
+  Column<Real> spring[3], force[3], moment[3];
+  std::size_t contacts, slots;
+
+  PairCases(std::size_t count, const CaseOptions& o, const RandomLaw<Real>& law, unsigned seed)
+      : contacts(count), slots((count + kPairPad - 1) / kPairPad * kPairPad) {
+    record.reset(2 * count);
+    inverse_mass.reset(2 * count);
+    tag.reset(2 * count);
+    i.reset(slots);
+    j.reset(slots);
+    for (int a = 0; a < 3; ++a) {
+      for (Column<Real>* c : {&spring[a], &force[a], &moment[a]}) {
+        c->reset(slots);
+        c->fill(0);
+      }
+    }
+    Random random(seed);
+    for (std::size_t k = 0; k < count; ++k) {
+      i[k] = static_cast<Index>(2 * k);
+      j[k] = static_cast<Index>(2 * k + 1);
+      do {
+        make_contact(k, o, law, random);
+      } while (!is_clear(k, o, law));
+    }
+    for (std::size_t k = count; k < slots; ++k) i[k] = j[k] = 0;
+  }
+
+  ParticleView<Real> particles() const { return {record.data(), inverse_mass.data(), tag.data()}; }
+  PairView<Real> view(std::size_t own) {
+    PairView<Real> v{};
+    v.i = i.data();
+    v.j = j.data();
+    for (int a = 0; a < 3; ++a) {
+      v.spring[a] = spring[a].data();
+      v.force[a] = force[a].data();
+      v.moment[a] = moment[a].data();
+    }
+    v.own = own;
+    v.all = slots;
+    return v;
+  }
+  twin::History history(std::size_t k) const {
+    const auto at = [&](const Column<Real>(&c)[3]) {
+      return Vec3(static_cast<double>(c[0][k]), static_cast<double>(c[1][k]),
+                  static_cast<double>(c[2][k]));
+    };
+    return {at(spring), at(force), at(moment)};
+  }
+
+ private:
+  void make_contact(std::size_t k, const CaseOptions& o, const RandomLaw<Real>& law,
+                    Random& random) {
+    const TouchState state = static_cast<TouchState>(random.below(4));
+    Index material[2];
+    for (std::size_t side = 0; side < 2; ++side) {
+      const std::size_t at = 2 * k + side;
+      Record<Real>& r = record[at];
+      r.radius = static_cast<Real>(side == 0 ? random(0.005, 0.01) : random(0.01, 0.05));
+      const double size = static_cast<double>(r.radius);
+      inverse_mass[at] = static_cast<Real>(1 / (random(1000, 8000) * 4.19 * size * size * size));
+      material[side] = static_cast<Index>(random.below(o.materials));
+      tag[at] = make_tag(material[side], static_cast<std::uint32_t>(random.below(12)));
+      const Vec3 spin = random.in_cube(50);
+      r.wx = static_cast<Real>(spin.x());
+      r.wy = static_cast<Real>(spin.y());
+      r.wz = static_cast<Real>(spin.z());
+    }
+    Record<Real>&a = record[2 * k], &b = record[2 * k + 1];
+    const double reach = static_cast<double>(a.radius) + static_cast<double>(b.radius);
+    const double overlap = static_cast<double>(a.radius) * std::pow(10, random(-6, -1));
+    const bool touches = state == TouchState::kFresh || state == TouchState::kPersisting;
+    const Vec3 normal = random.in_cube(1).normalized();
+    const Vec3 dx = normal * (touches ? reach - overlap : reach + random(0.01, 1) * overlap);
+    double approach = random(-1, 1) * 1e4 * overlap;
+    if (state == TouchState::kFresh) approach = overlap / kCaseStep * random(1.01, 4);
+    const Vec3 dv = random.in_cube(0.5) - approach * normal;
+    const Vec3 x = random.in_cube(4), v = random.in_cube(5);
+    b = {x.x(), x.y(), x.z(), v.x(), v.y(), v.z(), b.wx, b.wy, b.wz, b.radius};
+    a = {x.x() + dx.x(), x.y() + dx.y(), x.z() + dx.z(), v.x() + dv.x(), v.y() + dv.y(),
+         v.z() + dv.z(), a.wx,           a.wy,           a.wz,           a.radius};
+    if (o.periodic && random.below(2) == 0) a.z += 0.5 * (random.below(2) == 0 ? 1 : -2);
+    set_history(k, o, law, state, material, overlap, (dx - kCaseStep * dv).normalized(), random);
+  }
+
+  void set_history(std::size_t k, const CaseOptions& o, const RandomLaw<Real>& law,
+                   TouchState state, const Index (&material)[2], double overlap,
+                   const Vec3& normal_old, Random& random) {
+    twin::History h;
+    if (state == TouchState::kPersisting || state == TouchState::kLost) {
+      h = random_history(twin::coefficients(law.table(o.materials), material[0], material[1]),
+                         normal_old, overlap, o.rolling, random);
+    }
+    for (int a = 0; a < 3; ++a) {
+      spring[a][k] = static_cast<Real>(h.spring[a]);
+      force[a][k] = static_cast<Real>(h.force[a]);
+      moment[a][k] = static_cast<Real>(h.moment[a]);
+    }
+  }
+
+  // Not within a thousandth of a branch point that jumps.
+  bool is_clear(std::size_t k, const CaseOptions& o, const RandomLaw<Real>& law) const {
+    const StepConstants<Real> step = constants(o, law);
+    const twin::Contact c = twin::sphere_sphere(step, particles(), i[k], j[k]);
+    const auto coefficients =
+        twin::coefficients(step.law, tag_material(tag[i[k]]), tag_material(tag[j[k]]));
+    const twin::Response r =
+        twin::respond(coefficients, c, history(k), {step.dt, o.clamped, o.rolling, 0});
+    const double depth = c.overlap / c.i.radius;
+    return std::abs(depth) > 1e-8 && std::abs(depth - 0.5) > 1e-3 &&
+           (!c.touching || (r.fresh_margin > 1e-3 && r.slide_margin > 1e-3));
+  }
+};
+
+}  // namespace quern::test

@@ -1,0 +1,91 @@
+// Small scenes built by hand: one material, a few spheres, plates.
+//
+// Lengths are chosen by the tests as powers of two where a radius must be the same number in f32
+// and f64. Spheres get identities in the order in which they are added. There is no gravity unless
+// a test sets it.
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "soa/scene.h"
+#include "tests/support/build_world.h"
+#include "tests/support/trap_fp.h"
+
+namespace quern::test {
+
+inline constexpr double kDensity = 4500;  // kg/m^3
+
+struct Law {
+  double kn = 2e7, kt = 8e6;  // N/m
+  double restitution = 0.5, sliding = 0.5, rolling = 0;
+  NormalForce normal_force = NormalForce::kClamped;
+  bool tangential_damping = true;
+};
+
+// The law of LAMMPS' and LIGGGHTS' linear springs: pulls at the end, no tangential damping.
+inline Law peer_law(double restitution, double sliding) {
+  Law law;
+  law.restitution = restitution;
+  law.sliding = sliding;
+  law.normal_force = NormalForce::kUnclamped;
+  law.tangential_damping = false;
+  return law;
+}
+
+inline Scene small_scene(const Law& law, double dt, double half_size = 8) {
+  Scene scene;
+  scene.run.time_step = dt;
+  scene.run.duration = 1;
+  scene.run.gravity = Vec3::Zero();
+  scene.domain.low = Vec3::Constant(-half_size);
+  scene.domain.high = Vec3::Constant(half_size);
+  scene.materials = {{"ore", kDensity, 0}};
+  scene.contact.normal_force = law.normal_force;
+  scene.contact.tangential_damping = law.tangential_damping;
+  scene.contact.normal_stiffness = law.kn;
+  scene.contact.tangential_stiffness = law.kt;
+  scene.contact.restitution = law.restitution;
+  scene.contact.sliding_friction = law.sliding;
+  scene.contact.rolling_friction = law.rolling;
+  ParticleSpec spheres;
+  spheres.name = "sphere";
+  spheres.material = "ore";
+  scene.particles = {spheres};
+  return scene;
+}
+
+inline void add_sphere(Scene& scene, double diameter, const Vec3& position,
+                       const Vec3& velocity = Vec3::Zero(), const Vec3& spin = Vec3::Zero()) {
+  scene.particles[0].explicit_particles.push_back({position, velocity, spin, diameter});
+}
+
+inline void add_plane(Scene& scene, const Vec3& point, const Vec3& normal,
+                      const Motion& motion = Motion(), const std::string& name = "floor") {
+  scene.planes.push_back({name, "ore", point, normal.normalized(), motion});
+}
+
+inline void add_mesh(Scene& scene, const std::string& name, const Motion& motion = Motion()) {
+  scene.meshes.push_back({name, "", "ore", 1, motion});
+}
+
+inline double sphere_mass(double diameter, double density = kDensity) {
+  return density * kPi / 6 * diameter * diameter * diameter;
+}
+
+// pi sqrt(m_e / kn), the unit of "steps per contact".
+inline double normal_contact_time(double reduced_mass, double kn) {
+  return kPi * std::sqrt(reduced_mass / kn);
+}
+
+template <class Real>
+void run_steps(World<Real>& world, Stepper<Real>& stepper, int steps) {
+  for (int k = 0; k < steps; ++k) {
+    const StepReport report = stepper.step();
+    ASSERT_EQ(report.bits & kFatalBits, 0u)
+        << "at t = " << world.time() << ", particle " << report.first.id;
+  }
+}
+
+}  // namespace quern::test

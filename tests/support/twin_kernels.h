@@ -1,0 +1,310 @@
+// Twins: every SIMD kernel once more as plain scalar f64 code, the oracle of the kernel tests.
+//
+// Written from the equations (kernels/README.md: the implicit damping, friction with history,
+// rolling, the ledger), with masses and moments of inertia where the kernels use their inverses,
+// and a rotation matrix where they use a short cut. Beside each result stands its scale: what an
+// error of one unit in the last place of every intermediate result may amount to, so that a test
+// says |kernel - twin| <= n * scale. `eps` is the spacing of the precision under test; positions
+// are f64 in every precision, hence the second term of `force_error`.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/contact.h"
+
+namespace quern::twin {
+
+struct Coefficients {
+  double kn, kt, normal_damping, tangential_damping, mu, mur;
+};
+
+template <class Real>
+Coefficients coefficients(const LawTable<Real>& law, Index a, Index b) {
+  const std::size_t row = a * law.materials + b;
+  return {law.normal_stiffness[row],   law.tangential_stiffness[row], law.normal_damping[row],
+          law.tangential_damping[row], law.sliding_friction[row],     law.rolling_friction[row]};
+}
+
+// One side of a contact. A wall has no mass (inverse_mass 0), no arm and an infinite radius.
+struct Side {
+  Vec3 spin = Vec3::Zero();
+  double inverse_mass = 0, radius = HUGE_VAL, contacts = 0;
+  double arm = 0, arm_old = 0;
+  // r^2/I over the whole, I = 2/5 m r^2: what the lever adds to the mobility of the contact point.
+  double turning() const { return 2.5 * inverse_mass; }
+  double inverse_inertia() const { return 2.5 * inverse_mass / (radius * radius); }
+};
+
+struct Contact {
+  Side i, j;
+  Vec3 normal = Vec3::UnitX(), normal_old = Vec3::UnitX();
+  Vec3 velocity = Vec3::Zero();  // of centre i - centre j (wall: contact point)
+  double overlap = 0, overlap_old = 0;
+  double extent = 0;  // m, lengths whose f64 rounding enters the overlap
+  bool touching = false;
+};
+
+struct History {
+  Vec3 spring = Vec3::Zero(), force = Vec3::Zero(), moment = Vec3::Zero();
+};
+
+struct Options {
+  double dt = 0;
+  bool clamped = true, rolling = false;
+  double eps = 0;
+};
+
+struct Response {
+  Vec3 force = Vec3::Zero(), tangential = Vec3::Zero(), moment = Vec3::Zero();
+  Vec3 spring = Vec3::Zero(), torque_i = Vec3::Zero(), torque_j = Vec3::Zero();
+  double work = 0, elastic = 0, slide = 0, tangential_damping = 0, numerical_loss = 0;
+  // Scales of the errors of the above.
+  double force_error = 0, moment_error = 0, spring_error = 0, torque_error = 0;
+  double work_error = 0, elastic_error = 0, slide_error = 0, damping_error = 0, loss_error = 0;
+  bool fresh = false, slides = false;
+  double fresh_margin = 1, slide_margin = 1;  // relative distance from the branch points
+};
+
+// The rotation that takes unit vector a to unit vector b the short way.
+inline Mat3 rotation_between(const Vec3& a, const Vec3& b) {
+  const Vec3 k = a.cross(b);
+  Mat3 turn;
+  turn << 0, -k.z(), k.y(), k.z(), 0, -k.x(), -k.y(), k.x(), 0;
+  return Mat3::Identity() + turn + turn * turn / (1 + a.dot(b));
+}
+
+// What the pieces of the law share.
+struct Terms {
+  double kn, kt, cn, ct;  // as they act
+  Vec3 slip, slip_old;    // velocity of the contact point, tangential and (old) whole
+  Vec3 at_point;
+  double vn, speed;  // speed: bound of all velocities at the contact
+};
+
+inline Terms terms(const Coefficients& k, const Contact& c, double dt) {
+  const double m_e = 1 / (c.i.inverse_mass + c.j.inverse_mass);
+  const double m_t = 1 / (1 / m_e + c.i.turning() + c.j.turning());
+  const double cn = k.normal_damping * std::sqrt(m_e);
+  // The table holds 2 zeta sqrt(2/7 kt), for spheres, whose m_t is 2/7 m_e.
+  const double ct = k.tangential_damping * std::sqrt(3.5 * m_t);
+  const double load_n = c.i.contacts * c.i.inverse_mass + c.j.contacts * c.j.inverse_mass;
+  const double load_t = c.i.contacts * (c.i.inverse_mass + c.i.turning()) +
+                        c.j.contacts * (c.j.inverse_mass + c.j.turning());
+  Terms t;
+  t.kn = k.kn / (1 + dt * cn / (2 * m_e));
+  t.kt = k.kt / (1 + dt * ct / (2 * m_t));
+  t.cn = cn / (1 + 0.5 * dt * cn / m_e * std::max(1.0, m_e * load_n));
+  t.ct = ct / (1 + 0.5 * dt * ct / m_t * std::max(1.0, m_t * load_t));
+  const Vec3& n = c.normal;
+  t.at_point = c.velocity + c.i.spin.cross(-c.i.arm * n) - c.j.spin.cross(c.j.arm * n);
+  t.slip = t.at_point - n.dot(t.at_point) * n;
+  t.slip_old = c.velocity + c.i.spin.cross(-c.i.arm_old * c.normal_old) -
+               c.j.spin.cross(c.j.arm_old * c.normal_old);
+  t.vn = n.dot(c.velocity);
+  t.speed =
+      c.velocity.norm() + std::abs(c.i.arm) * c.i.spin.norm() + std::abs(c.j.arm) * c.j.spin.norm();
+  return t;
+}
+
+inline double normal_force(const Contact& c, const Options& o, const Terms& t, Response& r) {
+  if (!c.touching) return 0;
+  const double closing = -t.vn * o.dt;
+  r.fresh = t.vn < 0 && c.overlap < closing;
+  r.fresh_margin = std::abs(c.overlap - closing) / (c.overlap + std::abs(closing));
+  const double weight = o.clamped && r.fresh ? 0.5 + c.overlap / closing : 1;
+  const double force = t.kn * c.overlap - weight * t.cn * t.vn;
+  return o.clamped ? std::max(0.0, force) : force;
+}
+
+inline void friction(const Coefficients& k, const Contact& c, const History& old, const Options& o,
+                     const Terms& t, double fn, Response& r, Vec3& spring_old, Vec3& spring_trial) {
+  spring_old = spring_trial = Vec3::Zero();
+  if (!c.touching) return;
+  const Vec3& n = c.normal;
+  const Vec3 carried = rotation_between(c.normal_old, n) * old.spring;
+  const double theta = 0.5 * o.dt * (c.i.spin + c.j.spin).dot(n);
+  spring_old = carried * (1 - 0.5 * theta * theta) + theta * n.cross(carried);
+  spring_trial = spring_old + o.dt * t.slip;
+  const Vec3 trial = -t.kt * spring_trial - t.ct * t.slip;
+  const double cap = k.mu * std::abs(fn), size = trial.norm();
+  r.slides = size > cap;
+  r.slide_margin = std::abs(size - cap) / std::max(size + cap, 1e-300);
+  r.tangential = trial;
+  r.spring = spring_trial;
+  if (!r.slides) return;
+  r.tangential = trial * (cap / size);
+  const double held = t.kt * spring_trial.norm();
+  if (held > cap) r.spring = spring_trial * (cap / held);
+}
+
+inline Vec3 rolling_moment(const Coefficients& k, const Contact& c, const Options& o, double fn) {
+  const Vec3 spin = c.i.spin - c.j.spin;
+  const Vec3 roll = spin - spin.dot(c.normal) * c.normal;
+  const double rate = roll.norm();
+  if (!c.touching || !o.rolling || rate == 0) return Vec3::Zero();
+  const double curvature = 1 / c.i.radius + 1 / c.j.radius;  // 1/R*
+  const double inertia = 1 / (c.i.inverse_inertia() + c.j.inverse_inertia());
+  const double stop = inertia * rate / (o.dt * std::max(2.0, c.i.contacts + c.j.contacts));
+  return -roll / rate * std::min(k.mur / curvature * std::max(fn, 0.0), stop);
+}
+
+// Work of the contact over the last step and where it went.
+inline void ledger(const Contact& c, const History& old, const Options& o, const Terms& t,
+                   const Vec3& spring_old, const Vec3& spring_trial, Response& r) {
+  const Vec3 spin = c.i.spin - c.j.spin;
+  r.work = 0.5 * o.dt * (old.force.dot(t.slip_old) + r.force.dot(t.at_point));
+  if (o.rolling) r.work += 0.5 * o.dt * (old.moment + r.moment).dot(spin);
+  const double fn_old = old.force.dot(c.normal_old);
+  Vec3 dashpot = old.force - fn_old * c.normal_old + t.kt * old.spring;
+  if (c.touching) {
+    r.elastic = 0.5 * t.kn * c.overlap * c.overlap + 0.5 * t.kt * r.spring.squaredNorm();
+    r.slide = 0.5 * t.kt * (spring_old + r.spring).dot(spring_trial - r.spring);
+    dashpot += r.tangential + t.kt * r.spring;
+    if (r.fresh) r.numerical_loss = -0.5 * t.kn * c.overlap * (o.dt * t.vn + c.overlap);
+  } else {
+    r.slide = 0.5 * t.kt * old.spring.squaredNorm();
+    if (fn_old > 0) {
+      r.numerical_loss = 0.5 * t.kn * c.overlap_old * (c.overlap_old - o.dt * t.vn);
+    }
+  }
+  r.tangential_damping = -0.5 * o.dt * dashpot.dot(t.slip);
+}
+
+// An upper bound of what one unit in the last place of each intermediate result can do.
+inline void set_errors(const Coefficients& k, const Contact& c, const History& old,
+                       const Options& o, const Terms& t, Response& r) {
+  const double slack = 0x1p-52 * c.extent;  // of the overlap, from f64 positions
+  const double spring = old.spring.norm() + o.dt * t.speed;
+  const double reach = std::abs(c.overlap) + o.dt * t.speed;
+  const double size =
+      t.kn * std::abs(c.overlap) + 1.5 * t.cn * t.speed + t.kt * spring + t.ct * t.speed;
+  const double before = old.force.norm();
+  const Vec3 spin = c.i.spin - c.j.spin;
+  const double spins = c.i.spin.norm() + c.j.spin.norm();
+  const double roll = (spin - spin.dot(c.normal) * c.normal).norm();
+  const double rolling_radius = 1 / (1 / c.i.radius + 1 / c.j.radius);
+  r.force_error = (1 + k.mu) * (o.eps * size + t.kn * slack);
+  r.spring_error = o.eps * spring + (k.kt > 0 ? k.mu / t.kt * r.force_error : 0);
+  r.moment_error = k.mur * rolling_radius * r.force_error +
+                   o.eps * r.moment.norm() * (1 + spins / std::max(roll, 1e-300));
+  const double arm = std::max(std::abs(c.i.arm), std::abs(c.j.arm));
+  r.torque_error = arm * (r.force_error + o.eps * size) + r.moment_error;
+  r.work_error = o.dt * (t.speed * (r.force_error + o.eps * (size + before)) +
+                         spins * (r.moment_error + o.eps * (r.moment + old.moment).norm()));
+  r.elastic_error = t.kn * std::abs(c.overlap) * (o.eps * std::abs(c.overlap) + slack) +
+                    t.kt * spring * (r.spring_error + o.eps * spring);
+  r.slide_error = t.kt * spring * (r.spring_error + o.eps * spring);
+  r.damping_error =
+      o.dt * t.speed * (r.force_error + t.kt * r.spring_error + o.eps * (size + before));
+  const double deep = std::max(reach, std::abs(c.overlap_old));
+  r.loss_error = t.kn * deep * (o.eps * deep + slack);
+}
+
+inline Response respond(const Coefficients& k, const Contact& c, const History& old,
+                        const Options& o) {
+  Response r;
+  const Terms t = terms(k, c, o.dt);
+  const double fn = normal_force(c, o, t, r);
+  Vec3 spring_old, spring_trial;
+  friction(k, c, old, o, t, fn, r, spring_old, spring_trial);
+  r.force = fn * c.normal + r.tangential;
+  r.moment = rolling_moment(k, c, o, fn);
+  r.torque_i = (-c.i.arm * c.normal).cross(r.force) + r.moment;
+  r.torque_j = (c.j.arm * c.normal).cross(-r.force) - r.moment;
+  ledger(c, old, o, t, spring_old, spring_trial, r);
+  set_errors(k, c, old, o, t, r);
+  return r;
+}
+
+template <class Real>
+Side side_of(const ParticleView<Real>& p, Index at, double overlap, double overlap_old) {
+  Side s;
+  const Record<Real>& r = p.record[at];
+  s.spin = {static_cast<double>(r.wx), static_cast<double>(r.wy), static_cast<double>(r.wz)};
+  s.inverse_mass = static_cast<double>(p.inverse_mass[at]);
+  s.radius = static_cast<double>(r.radius);
+  s.contacts = tag_contacts(p.tag[at]);
+  s.arm = s.radius - 0.5 * overlap;
+  s.arm_old = s.radius - 0.5 * overlap_old;
+  return s;
+}
+
+// The contact of spheres i and j, nearest image.
+template <class Real>
+Contact sphere_sphere(const StepConstants<Real>& step, const ParticleView<Real>& p, Index i,
+                      Index j) {
+  const Record<Real>&a = p.record[i], &b = p.record[j];
+  Vec3 dx(a.x - b.x, a.y - b.y, a.z - b.z);
+  Contact c;
+  const double reach = static_cast<double>(a.radius) + static_cast<double>(b.radius);
+  c.extent = reach;
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    if (step.period[k] > 0) {
+      dx[k] = std::remainder(dx[k], step.period[k]);
+      c.extent += step.period[k];
+    }
+  }
+  c.velocity = Vec3(a.vx - b.vx, a.vy - b.vy, a.vz - b.vz);
+  const Vec3 dx_old = dx - step.dt * c.velocity;
+  c.normal = dx.normalized();
+  c.normal_old = dx_old.normalized();
+  c.overlap = reach - dx.norm();
+  c.overlap_old = reach - dx_old.norm();
+  c.touching = c.overlap > 0;
+  c.i = side_of(p, i, c.overlap, c.overlap_old);
+  c.j = side_of(p, j, c.overlap, c.overlap_old);
+  return c;
+}
+
+// Lane k of the wall contacts. The particle is i, the wall has the velocity of the contact point.
+template <class Real>
+Contact sphere_facet(const ParticleView<Real>& p, const WallContacts& walls, std::size_t k) {
+  const auto row = [&](int from) {
+    return Vec3(walls.geometry[from][k], walls.geometry[from + 1][k], walls.geometry[from + 2][k]);
+  };
+  const Record<Real>& a = p.record[walls.particle[k]];
+  Contact c;
+  c.normal = row(0);
+  c.overlap = walls.geometry[3][k];
+  c.normal_old = row(4);
+  c.overlap_old = walls.geometry[7][k];
+  c.velocity = Vec3(a.vx, a.vy, a.vz) - row(8);
+  c.touching = c.overlap > 0;
+  c.i = side_of(p, walls.particle[k], c.overlap, c.overlap_old);
+  c.j.spin = row(11);
+  return c;
+}
+
+// One particle moved by a step; `sums` is its accumulator row.
+struct Moved {
+  Vec3 place, velocity, spin;
+  double translational, rotational, drag_loss, deviation2;
+};
+
+template <class Real>
+Moved move_sphere(const MoveView<Real>& m, std::size_t k, const double* sums, double dt) {
+  const Record<Real>& r = m.now[k];
+  const double mass = 1 / static_cast<double>(m.inverse_mass[k]);
+  const double radius = static_cast<double>(r.radius), inertia = 0.4 * mass * radius * radius;
+  const Vec3 x(r.x, r.y, r.z), v(r.vx, r.vy, r.vz);
+  const Vec3 w(m.spin[0][k], m.spin[1][k], m.spin[2][k]);
+  const Vec3 force(sums[0], sums[1], sums[2]), torque(sums[3], sums[4], sums[5]);
+  const Vec3 gravity(m.gravity[0], m.gravity[1], m.gravity[2]);
+  const Vec3 kicked = v + m.kick * (force / mass + gravity);
+  Moved out;
+  out.velocity = m.drag * kicked;
+  out.place = x + dt * out.velocity;
+  out.spin = m.drag * (w + m.kick * torque / inertia);
+  out.translational = 0.5 * mass * v.dot(kicked);
+  out.rotational = 0.5 * inertia * w.dot(out.spin);
+  out.drag_loss = 0.5 * mass * (kicked.squaredNorm() - out.velocity.squaredNorm());
+  Vec3 line;
+  for (int a = 0; a < 3; ++a) {
+    line[a] = m.list_place[a][k] + m.list_time * static_cast<double>(m.list_velocity[a][k]);
+  }
+  out.deviation2 = (out.place - line).squaredNorm();
+  return out;
+}
+
+}  // namespace quern::twin

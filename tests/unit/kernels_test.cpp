@@ -1,0 +1,367 @@
+// The contact kernels against their scalar f64 twins, on every SIMD target of this CPU, in both
+// precisions, for every switch of the law and every state of a contact.
+//
+// Tolerances: the twin gives, beside each value, what an error of one unit in the last place in
+// every intermediate result amounts to (sums of magnitudes, before any cancellation). The longest
+// chain, of the tangential force, has some 45 roundings of half a unit each; 24 units cover all of
+// them in the worst case. The largest error met lies between 3 and 5 units.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <limits>
+
+#include "kernels/contact.h"
+#include "tests/support/contact_cases.h"
+#include "tests/support/trap_fp.h"
+
+namespace quern {
+namespace {
+
+using test::all_options;
+using test::CaseOptions;
+using test::for_each_target;
+using test::PairCases;
+using test::RandomLaw;
+
+constexpr double kUnits = 24;
+// Three f32 vectors (8 lanes beside 8 f64 lanes) and one more.
+constexpr std::size_t kMostContacts = 3 * 8 + 1;
+
+template <class Real>
+constexpr double kEps = static_cast<double>(std::numeric_limits<Real>::epsilon());
+
+struct Rows {
+  Column<double> rows;
+  explicit Rows(std::size_t particles) {
+    rows.reset((particles + 16) * kRowWidth);
+    rows.fill(0);
+  }
+  TileRows tile(Index first, Index size) { return {rows.data(), first, size}; }
+  Vec3 force(std::size_t row) const { return at(row, 0); }
+  Vec3 torque(std::size_t row) const { return at(row, 3); }
+  double touches(std::size_t row) const { return rows[row * kRowWidth + 6]; }
+
+ private:
+  Vec3 at(std::size_t row, std::size_t k) const {
+    const double* r = rows.data() + row * kRowWidth + k;
+    return {r[0], r[1], r[2]};
+  }
+};
+
+// Sums of the twins, and of their errors.
+struct TallyTwin {
+  ContactTally sum, error;
+  void add(const twin::Contact& c, const twin::Response& r) {
+    sum.work += r.work;
+    error.work += r.work_error;
+    sum.elastic += r.elastic;
+    error.elastic += r.elastic_error;
+    sum.slide += r.slide;
+    error.slide += r.slide_error;
+    sum.tangential_damping += r.tangential_damping;
+    error.tangential_damping += r.damping_error;
+    sum.numerical_loss += r.numerical_loss;
+    error.numerical_loss += r.loss_error;
+    const double depth = c.overlap / c.i.radius;
+    sum.contacts += c.touching ? 1 : 0;
+    sum.warnings += c.touching && depth > 0.5 ? 1 : 0;
+    sum.max_overlap = std::max(sum.max_overlap, depth);
+  }
+  void expect(const ContactTally& got, double eps) const {
+    EXPECT_NEAR(got.work, sum.work, kUnits * error.work);
+    EXPECT_NEAR(got.elastic, sum.elastic, kUnits * error.elastic);
+    EXPECT_NEAR(got.slide, sum.slide, kUnits * error.slide);
+    EXPECT_NEAR(got.tangential_damping, sum.tangential_damping, kUnits * error.tangential_damping);
+    EXPECT_NEAR(got.numerical_loss, sum.numerical_loss, kUnits * error.numerical_loss);
+    EXPECT_EQ(got.contacts, sum.contacts);
+    EXPECT_EQ(got.warnings, sum.warnings);
+    // Overlap over radius; the overlap is a difference of lengths some 5 radii long.
+    EXPECT_NEAR(got.max_overlap, sum.max_overlap, kUnits * (eps * sum.max_overlap + 1e-14));
+  }
+};
+
+void expect_vector(const char* what, const Vec3& got, const Vec3& expected, double error) {
+  EXPECT_LE((got - expected).norm(), kUnits * error)
+      << what << ": " << got.transpose() << " for " << expected.transpose();
+}
+
+// Kernel and twin over the first `own` slots as the tile's own, the rest as imported.
+template <class Real>
+void check_pairs(const CaseOptions& o, std::size_t count, std::size_t own, unsigned seed) {
+  const RandomLaw<Real> law(o, seed);
+  PairCases<Real> cases(count, o, law, seed);
+  const StepConstants<Real> step = test::constants(o, law);
+  std::vector<twin::Contact> contact;
+  std::vector<twin::Response> expected;
+  TallyTwin tally;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Index i = cases.i[k], j = cases.j[k];
+    contact.push_back(twin::sphere_sphere(step, cases.particles(), i, j));
+    expected.push_back(twin::respond(
+        twin::coefficients(step.law, tag_material(cases.tag[i]), tag_material(cases.tag[j])),
+        contact[k], cases.history(k), {step.dt, o.clamped, o.rolling, kEps<Real>}));
+    if (k < own) tally.add(contact[k], expected[k]);
+  }
+  Rows rows(2 * count);
+  ContactTally got;
+  choose_kernels<Real>().pairs(step, cases.particles(), cases.view(own),
+                               rows.tile(0, static_cast<Index>(2 * count)), got);
+  for (std::size_t k = 0; k < count; ++k) {
+    const twin::Response& r = expected[k];
+    const twin::History now = cases.history(k);
+    expect_vector("spring", now.spring, r.spring, r.spring_error);
+    expect_vector("force", now.force, r.force, r.force_error);
+    if (o.rolling) expect_vector("moment", now.moment, r.moment, r.moment_error);
+    expect_vector("force on i", rows.force(2 * k), r.force, r.force_error);
+    expect_vector("torque on i", rows.torque(2 * k), r.torque_i, r.torque_error);
+    expect_vector("torque on j", rows.torque(2 * k + 1), r.torque_j, r.torque_error);
+    for (int a = 0; a < 3; ++a) {
+      EXPECT_EQ(rows.force(2 * k + 1)[a], -rows.force(2 * k)[a]) << "opposite to the last bit";
+      EXPECT_EQ(rows.force(2 * k)[a], now.force[a]) << "the stored force is the one applied";
+    }
+    EXPECT_EQ(rows.touches(2 * k), contact[k].touching ? 1 : 0);
+    EXPECT_EQ(rows.touches(2 * k + 1), contact[k].touching ? 1 : 0);
+  }
+  tally.expect(got, kEps<Real>);
+}
+
+template <class Real>
+class KernelTwins : public testing::Test {};
+using Precisions = testing::Types<float, double>;
+TYPED_TEST_SUITE(KernelTwins, Precisions);
+
+TYPED_TEST(KernelTwins, OfSphereSphereAgreeOnEveryTarget) {
+  for_each_target<TypeParam>([](const std::string& target) {
+    unsigned seed = 1;
+    for (const CaseOptions& o : all_options()) {
+      for (std::size_t count = 1; count <= kMostContacts; ++count) {
+        SCOPED_TRACE(target + ", " + test::name_of(o) + ", " + std::to_string(count));
+        const std::size_t slots = (count + kPairPad - 1) / kPairPad * kPairPad;
+        check_pairs<TypeParam>(o, count, count % 3 == 0 ? slots / 16 * 8 : slots, ++seed);
+        if (testing::Test::HasFailure()) return;
+      }
+    }
+  });
+}
+
+// The tests above are worth what their cases are: all of these must occur among them.
+TEST(KernelCases, CoverEveryStateOfAContact) {
+  int fresh = 0, held = 0, slid = 0, lost = 0, apart = 0, pulling = 0;
+  unsigned seed = 1;
+  for (const CaseOptions& o : all_options()) {
+    const RandomLaw<double> law(o, ++seed);
+    const PairCases<double> cases(kMostContacts, o, law, seed);
+    const StepConstants<double> step = test::constants(o, law);
+    for (std::size_t k = 0; k < kMostContacts; ++k) {
+      const Index i = cases.i[k], j = cases.j[k];
+      const twin::Contact c = twin::sphere_sphere(step, cases.particles(), i, j);
+      const twin::Response r = twin::respond(
+          twin::coefficients(step.law, tag_material(cases.tag[i]), tag_material(cases.tag[j])), c,
+          cases.history(k), {step.dt, o.clamped, o.rolling, 0});
+      fresh += r.fresh;
+      held += c.touching && !r.fresh && !r.slides;
+      slid += c.touching && !r.fresh && r.slides;
+      lost += !c.touching && cases.history(k).force.norm() > 0;
+      apart += !c.touching && cases.history(k).force.norm() == 0;
+      pulling += c.touching && !o.clamped && r.force.dot(c.normal) < 0;
+    }
+  }
+  for (const int seen : {fresh, held, slid, lost, apart, pulling}) EXPECT_GT(seen, 5);
+}
+
+// A contact between two tiles: each tile has it in another place among other contacts, and knows
+// one of the partners only. Both must find the same bits, and apply opposite ones.
+TYPED_TEST(KernelTwins, OfACrossTileContactHaveTheSameBitsInBothTiles) {
+  using Real = TypeParam;
+  for_each_target<TypeParam>([](const std::string& target) {
+    unsigned seed = 100;
+    for (const CaseOptions& o : all_options()) {
+      SCOPED_TRACE(target + ", " + test::name_of(o));
+      const RandomLaw<Real> law(o, ++seed);
+      const StepConstants<Real> step = test::constants(o, law);
+      PairCases<Real> here(kMostContacts, o, law, seed), there(kMostContacts, o, law, seed);
+      std::vector<std::size_t> slot(kMostContacts);  // in the other tile: turned by 5
+      for (std::size_t k = 0; k < kMostContacts; ++k) {
+        slot[k] = (k + 5) % kMostContacts;
+        there.i[slot[k]] = here.i[k];
+        there.j[slot[k]] = here.j[k];
+        for (int a = 0; a < 3; ++a) {
+          there.spring[a][slot[k]] = here.spring[a][k];
+          there.force[a][slot[k]] = here.force[a][k];
+          there.moment[a][slot[k]] = here.moment[a][k];
+        }
+      }
+      // Each tile holds all particles of which it sees one partner: the rows of the others are
+      // those of the very last row. Tile `here` begins at 0, tile `there` at particle 1.
+      Rows rows_here(2 * kMostContacts), rows_there(2 * kMostContacts);
+      ContactTally tally_here, tally_there;
+      const Index size = 2 * kMostContacts;
+      choose_kernels<Real>().pairs(step, here.particles(), here.view(here.slots),
+                                   rows_here.tile(0, size), tally_here);
+      choose_kernels<Real>().pairs(step, there.particles(), there.view(0),
+                                   rows_there.tile(1, size - 1), tally_there);
+      EXPECT_EQ(tally_there.contacts, 0) << "imported contacts are not tallied";
+      for (std::size_t k = 0; k < kMostContacts; ++k) {
+        const twin::History a = here.history(k), b = there.history(slot[k]);
+        EXPECT_EQ(a.spring, b.spring);
+        EXPECT_EQ(a.force, b.force);
+        EXPECT_EQ(a.moment, b.moment);
+        EXPECT_EQ(rows_there.force(2 * k), Vec3(-rows_here.force(2 * k)));
+        EXPECT_EQ(rows_there.torque(2 * k), rows_here.torque(2 * k + 1));
+      }
+    }
+  });
+}
+
+// Who is called i is a convention: exchanged partners feel the same within rounding.
+TYPED_TEST(KernelTwins, OfExchangedPartnersAreOpposite) {
+  using Real = TypeParam;
+  for_each_target<TypeParam>([](const std::string& target) {
+    unsigned seed = 200;
+    for (const CaseOptions& o : all_options()) {
+      SCOPED_TRACE(target + ", " + test::name_of(o));
+      const RandomLaw<Real> law(o, ++seed);
+      const StepConstants<Real> step = test::constants(o, law);
+      PairCases<Real> one(kMostContacts, o, law, seed), two(kMostContacts, o, law, seed);
+      std::vector<double> error(kMostContacts);
+      for (std::size_t k = 0; k < kMostContacts; ++k) {
+        std::swap(two.i[k], two.j[k]);
+        for (int a = 0; a < 3; ++a) {
+          two.spring[a][k] = -two.spring[a][k];
+          two.force[a][k] = -two.force[a][k];
+          two.moment[a][k] = -two.moment[a][k];
+        }
+        const auto coefficients = twin::coefficients(step.law, tag_material(one.tag[2 * k]),
+                                                     tag_material(one.tag[2 * k + 1]));
+        const auto contact = twin::sphere_sphere(step, one.particles(), one.i[k], one.j[k]);
+        error[k] = twin::respond(coefficients, contact, one.history(k),
+                                 {step.dt, o.clamped, o.rolling, kEps<Real>})
+                       .force_error;
+      }
+      Rows rows(2 * kMostContacts);
+      ContactTally tally;
+      for (PairCases<Real>* cases : {&one, &two}) {
+        choose_kernels<Real>().pairs(step, cases->particles(), cases->view(cases->slots),
+                                     rows.tile(0, 2 * kMostContacts), tally);
+      }
+      for (std::size_t k = 0; k < kMostContacts; ++k) {
+        expect_vector("force", two.history(k).force, -one.history(k).force, 2 * error[k]);
+      }
+    }
+  });
+}
+
+// Wall contacts are f64 in every precision.
+template <class Real>
+void check_walls(const CaseOptions& o, std::size_t count, unsigned seed) {
+  const RandomLaw<double> law(o, seed);
+  const RandomLaw<Real> pair_law(o, seed);
+  PairCases<Real> cases(count, o, pair_law, seed);  // for its particles
+  const StepConstants<double> step = test::constants(o, law);
+  test::Random random(seed);
+  const std::size_t padded = (count + kPairPad - 1) / kPairPad * kPairPad;
+  Column<double> numbers;
+  numbers.reset(padded * (WallContacts::kGeometry + 10));
+  numbers.fill(0);
+  Column<Index> particle;
+  Column<std::uint32_t> material;
+  particle.reset(padded);
+  material.reset(padded);
+  particle.fill(0);
+  material.fill(0);
+  WallContacts walls{};
+  double* row = numbers.data();
+  for (double*& g : walls.geometry) g = std::exchange(row, row + padded);
+  for (double*& s : walls.spring) s = std::exchange(row, row + padded);
+  for (double*& f : walls.force) f = std::exchange(row, row + padded);
+  for (double*& m : walls.moment) m = std::exchange(row, row + padded);
+  walls.wall_work = row;
+  walls.particle = particle.data();
+  walls.material = material.data();
+  walls.count = padded;
+  for (std::size_t k = 0; k < padded; ++k) walls.geometry[0][k] = walls.geometry[4][k] = 1;
+
+  std::vector<twin::Contact> contact(count);
+  std::vector<twin::Response> expected(count);
+  std::vector<twin::History> before(count);
+  TallyTwin tally;
+  for (std::size_t k = 0; k < count; ++k) {
+    particle[k] = static_cast<Index>(2 * k);
+    const Record<Real>& r = cases.record[2 * k];
+    const double radius = static_cast<double>(r.radius);
+    do {
+      material[k] = static_cast<std::uint32_t>(random.below(o.materials));
+      const auto coefficients =
+          twin::coefficients(step.law, tag_material(cases.tag[2 * k]), material[k]);
+      const bool lost = random.below(4) == 0, fresh = random.below(4) == 0;
+      const Vec3 normal = random.in_cube(1).normalized();
+      const Vec3 turned = (normal + random.in_cube(1e-3)).normalized();
+      const Vec3 normal_old = fresh ? normal : turned;
+      const double depth = radius * std::pow(10, random(-6, -1));
+      const double approach = fresh ? depth / step.dt * random(0.9, 4) : random(-1, 1);
+      const Vec3 wall_velocity = Vec3(r.vx, r.vy, r.vz) + approach * normal + random.in_cube(0.3);
+      const Vec3 wall_spin = random.in_cube(3);
+      before[k] = fresh ? twin::History()
+                        : test::random_history(coefficients, normal_old, depth, o.rolling, random);
+      const double overlap = lost ? 0 : depth, overlap_old = fresh ? 0 : depth * random(0.5, 2);
+      for (Eigen::Index a = 0; a < 3; ++a) {
+        walls.geometry[0 + a][k] = lost ? normal_old[a] : normal[a];
+        walls.geometry[4 + a][k] = normal_old[a];
+        walls.geometry[8 + a][k] = wall_velocity[a];
+        walls.geometry[11 + a][k] = wall_spin[a];
+        walls.spring[a][k] = before[k].spring[a];
+        walls.force[a][k] = before[k].force[a];
+        walls.moment[a][k] = before[k].moment[a];
+      }
+      walls.geometry[3][k] = overlap;
+      walls.geometry[7][k] = overlap_old;
+      contact[k] = twin::sphere_facet(cases.particles(), walls, k);
+      expected[k] = twin::respond(coefficients, contact[k], before[k],
+                                  {step.dt, o.clamped, o.rolling, kEps<double>});
+    } while (expected[k].fresh_margin < 1e-3 || expected[k].slide_margin < 1e-3);
+    tally.add(contact[k], expected[k]);
+  }
+  Rows rows(2 * count);
+  ContactTally got;
+  choose_kernels<Real>().walls(step, cases.particles(), walls,
+                               rows.tile(0, static_cast<Index>(2 * count)), got);
+  const auto now = [&](double* const(&from)[3], std::size_t k) {
+    return Vec3(from[0][k], from[1][k], from[2][k]);
+  };
+  for (std::size_t k = 0; k < count; ++k) {
+    const twin::Response& r = expected[k];
+    expect_vector("spring", now(walls.spring, k), r.spring, r.spring_error);
+    expect_vector("force", now(walls.force, k), r.force, r.force_error);
+    expect_vector("moment", now(walls.moment, k), r.moment, r.moment_error);
+    expect_vector("force on particle", rows.force(2 * k), r.force, r.force_error);
+    expect_vector("torque on particle", rows.torque(2 * k), r.torque_i, r.torque_error);
+    EXPECT_EQ(rows.touches(2 * k), contact[k].touching ? 1 : 0);
+    const Vec3 velocity(walls.geometry[8][k], walls.geometry[9][k], walls.geometry[10][k]);
+    const Vec3& spin = contact[k].j.spin;
+    double work = 0.5 * step.dt * (before[k].force + r.force).dot(velocity);
+    double error = velocity.norm() * (r.force_error + kEps<double> * before[k].force.norm());
+    if (o.rolling) {
+      work += 0.5 * step.dt * (before[k].moment + r.moment).dot(spin);
+      error += spin.norm() * (r.moment_error + kEps<double> * before[k].moment.norm());
+    }
+    EXPECT_NEAR(walls.wall_work[k], work, kUnits * step.dt * error);
+  }
+  tally.expect(got, kEps<double>);
+}
+
+TYPED_TEST(KernelTwins, OfSphereFacetAgreeOnEveryTarget) {
+  for_each_target<TypeParam>([](const std::string& target) {
+    unsigned seed = 1;
+    for (const CaseOptions& o : all_options()) {
+      if (o.periodic) continue;  // walls do not ask
+      for (std::size_t count = 1; count <= kMostContacts; ++count) {
+        SCOPED_TRACE(target + ", " + test::name_of(o) + ", " + std::to_string(count));
+        check_walls<TypeParam>(o, count, ++seed);
+        if (testing::Test::HasFailure()) return;
+      }
+    }
+  });
+}
+
+}  // namespace
+}  // namespace quern
