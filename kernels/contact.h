@@ -52,7 +52,7 @@ struct ParticleView {
 };
 
 // One tile's slice of a pair batch. `own` slots come first, then those imported from other tiles;
-// both parts are padded to kPairPad slots with i == j.
+// both parts are padded to whole kPairPad slots with i == j.
 template <class Real>
 struct PairView {
   const Index* i;
@@ -62,7 +62,7 @@ struct PairView {
   Real* moment[3];  // N m, rolling moment on i in the last step; null without rolling friction
   std::size_t own, all;  // slots
 };
-inline constexpr std::size_t kPairPad = 8;
+inline constexpr std::size_t kPairPad = 16;  // the widest vector of f32
 
 // Sums over the contacts of a tile in one step, and the worst overlap found.
 struct ContactTally {

@@ -28,10 +28,10 @@ HWY_INLINE void load_sums(const double* rows, hn::Vec<D64> (&c)[8]) {
 
 template <class Real>
 HWY_INLINE void store_records(const Vec3V<hn::Vec<D64>>& x, const Vec3V<hn::Vec<D64>>& v,
-                              const Vec3V<hn::Vec<D64>>& w, hn::Vec<Lanes<Real>> radius,
+                              const Vec3V<hn::Vec<D64>>& w, hn::Vec<HalfLanes<Real>> radius,
                               std::size_t count, Record<Real>* to) {
   const D64 d;
-  const Lanes<Real> dr;
+  const HalfLanes<Real> dr;
   constexpr std::size_t kLanes = hn::MaxLanes(D64());
   HWY_ALIGN double wide[6][kLanes];
   HWY_ALIGN Real narrow[4][kLanes];
@@ -58,7 +58,6 @@ struct MoveSumV {
 template <class Real>
 void move_spheres(const MoveView<Real>& m, const TileRows& tile, double dt, MoveTally& tally) {
   const D64 d;
-  const Lanes<Real> dr;
   using V = hn::Vec<D64>;
   const std::size_t lanes = hn::Lanes(d);
   const V zero = hn::Zero(d), half = hn::Set(d, 0.5), dtv = hn::Set(d, dt);
@@ -130,7 +129,6 @@ void move_spheres(const MoveView<Real>& m, const TileRows& tile, double dt, Move
     const auto good = hn::And(inside(place.x, 0), hn::And(inside(place.y, 1), inside(place.z, 2)));
     sum.bad = hn::Add(sum.bad, count_if(hn::IfThenZeroElse(good, hn::Set(d, 1))));
   }
-  (void)dr;
   tally.translational += sum_lanes(sum.translational);
   tally.rotational += sum_lanes(sum.rotational);
   for (int axis = 0; axis < 3; ++axis) {

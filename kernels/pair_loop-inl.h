@@ -14,12 +14,13 @@ HWY_BEFORE_NAMESPACE();
 namespace quern {
 namespace HWY_NAMESPACE {
 
+// As many partners as an f64 vector has lanes.
 template <class Real>
 struct PartnerV {
   Vec3V<hn::Vec<D64>> place, velocity;
-  Vec3V<hn::Vec<Lanes<Real>>> spin;
-  hn::Vec<Lanes<Real>> radius, inverse_mass, contacts;
-  hn::Vec<hn::RebindToSigned<Lanes<Real>>> material;
+  Vec3V<hn::Vec<HalfLanes<Real>>> spin;
+  hn::Vec<HalfLanes<Real>> radius, inverse_mass, contacts;
+  hn::Vec<hn::RebindToSigned<HalfLanes<Real>>> material;
 };
 
 // u32 lanes as the signed integer lanes that go with Real.
@@ -46,7 +47,7 @@ HWY_INLINE void load_rows(const ParticleView<float>& p, const Index* lane, Partn
   // c[6] holds (wx, wy), c[7] holds (wz, radius) as pairs of f32.
   const __m512i low = _mm512_castpd_si512(c[6].raw), high = _mm512_castpd_si512(c[7].raw);
   const auto even = [](__m512i v) {
-    return hn::Vec<Lanes<float>>{_mm256_castsi256_ps(_mm512_cvtepi64_epi32(v))};
+    return hn::Vec<HalfLanes<float>>{_mm256_castsi256_ps(_mm512_cvtepi64_epi32(v))};
   };
   out.spin = {even(low), even(_mm512_srli_epi64(low, 32)), even(high)};
   out.radius = even(_mm512_srli_epi64(high, 32));
@@ -55,7 +56,7 @@ HWY_INLINE void load_rows(const ParticleView<float>& p, const Index* lane, Partn
 
 template <class Real>
 HWY_INLINE void gather_rows(const ParticleView<Real>& p, const Index* lane, PartnerV<Real>& out) {
-  const Lanes<Real> dr;
+  const HalfLanes<Real> dr;
   constexpr int kF64PerRecord = sizeof(Record<Real>) / sizeof(double);
   constexpr int kRealPerRecord = sizeof(Record<Real>) / sizeof(Real);
   const auto index = hn::LoadU(D32U(), lane);
@@ -65,7 +66,7 @@ HWY_INLINE void gather_rows(const ParticleView<Real>& p, const Index* lane, Part
   const auto f64 = [&](int field) HWY_ATTR { return hn::GatherIndex(D64(), base + field, at); };
   out.place = {f64(0), f64(1), f64(2)};
   out.velocity = {f64(3), f64(4), f64(5)};
-  const hn::RebindToSigned<Lanes<Real>> di;
+  const hn::RebindToSigned<HalfLanes<Real>> di;
   const auto at_real =
       hn::Mul(to_index<Real>(index), hn::Set(di, static_cast<hn::TFromD<decltype(di)>>(kRealPerRecord)));
   const Real* reals = &p.record->wx;
@@ -76,7 +77,7 @@ HWY_INLINE void gather_rows(const ParticleView<Real>& p, const Index* lane, Part
 
 template <class Real>
 HWY_INLINE PartnerV<Real> load_partner(const ParticleView<Real>& p, const Index* lane) {
-  const Lanes<Real> dr;
+  const HalfLanes<Real> dr;
   PartnerV<Real> out;
 #if QUERN_ROWS_IN_REGISTERS
   if constexpr (sizeof(Real) == sizeof(float)) {
@@ -110,6 +111,17 @@ HWY_INLINE void store3(const Vec3V<V>& v, hn::TFromV<V>* const (&to)[3], std::si
   hn::StoreU(v.z, d, to[2] + at);
 }
 
+// Indices as signed lanes that go with full vectors of Real.
+template <class Real>
+HWY_INLINE hn::Vec<hn::RebindToSigned<Lanes<Real>>> load_index(const Index* from) {
+  if constexpr (sizeof(Real) == sizeof(double)) {
+    return hn::PromoteTo(D64I(), hn::BitCast(D32I(), hn::LoadU(D32U(), from)));
+  } else {
+    const hn::RebindToUnsigned<Lanes<Real>> d;
+    return hn::BitCast(hn::RebindToSigned<Lanes<Real>>(), hn::LoadU(d, from));
+  }
+}
+
 // Lane sums of a tally, f64; reduced lane after lane at the end.
 struct TallyV {
   hn::Vec<D64> work, elastic, slide, tangential_damping, numerical_loss, deepest;
@@ -119,18 +131,18 @@ HWY_INLINE TallyV zero_tally() {
   const auto z = hn::Zero(D64());
   return {z, z, z, z, z, z, 0, 0};
 }
-template <class V, class M>
+template <class Real, class V, class M>
 HWY_INLINE void count_response(const ResponseV<V>& r, M touching, V relative_overlap, TallyV& sum) {
-  const hn::DFromV<V> d;
-  sum.work = hn::Add(sum.work, to_f64(r.work));
-  sum.elastic = hn::Add(sum.elastic, to_f64(r.elastic));
-  sum.slide = hn::Add(sum.slide, to_f64(r.slide));
-  sum.tangential_damping = hn::Add(sum.tangential_damping, to_f64(r.tangential_damping));
-  sum.numerical_loss = hn::Add(sum.numerical_loss, to_f64(r.numerical_loss));
+  const Lanes<Real> d;
+  sum.work = hn::Add(sum.work, folded_f64<Real>(r.work));
+  sum.elastic = hn::Add(sum.elastic, folded_f64<Real>(r.elastic));
+  sum.slide = hn::Add(sum.slide, folded_f64<Real>(r.slide));
+  sum.tangential_damping = hn::Add(sum.tangential_damping, folded_f64<Real>(r.tangential_damping));
+  sum.numerical_loss = hn::Add(sum.numerical_loss, folded_f64<Real>(r.numerical_loss));
+  const V deep = hn::IfThenElseZero(touching, relative_overlap);
   sum.contacts += hn::CountTrue(d, touching);
-  const auto deep = hn::And(touching, hn::Gt(relative_overlap, hn::Set(d, hn::TFromV<V>(0.5))));
-  sum.warnings += hn::CountTrue(d, deep);
-  sum.deepest = hn::Max(sum.deepest, to_f64(hn::IfThenElseZero(touching, relative_overlap)));
+  sum.warnings += hn::CountTrue(d, hn::Gt(deep, hn::Set(d, Real(0.5))));
+  sum.deepest = hn::Max(sum.deepest, hn::Max(half_f64<Real, 0>(deep), half_f64<Real, 1>(deep)));
 }
 inline double sum_lanes(hn::Vec<D64> v) {
   HWY_ALIGN double lane[hn::MaxLanes(D64())];

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kTrueLawTime = 0.1;    // s, the end of every settling
 constexpr double kSoftDrag = 4;         // 1/s: falls end at g/4, bounces die within a second
-constexpr double kStiffenTime = 0.15;   // s, several passes of a sound wave through a deep bed
+constexpr double kStiffenTime = 0.5;    // s; a deep bed rises by centimetres while it stiffens
 constexpr int kStiffenStages = 48;      // so many that a stage releases a tenth of the overlap
 constexpr double kStiffenDrag = 20;     // 1/s
 
@@ -48,7 +48,9 @@ void add_settling(const Scene& scene, double dt, double depth, double rest_energ
     plan.push_back({Phase::kSoft, run.soft_stiffness, dt * stretch, kSoftDrag,
                     steps_in(soft_time, dt * stretch), until_rest ? rest_energy : 0});
     for (int stage = 1; stage <= kStiffenStages; ++stage) {
-      const double stiffness = std::pow(run.soft_stiffness, 1 - stage / double{kStiffenStages});
+      // Slow at the soft end, where the bed rises most and steps are long.
+      const double x = stage / double{kStiffenStages};
+      const double stiffness = std::pow(run.soft_stiffness, 1 - x * x);
       const double stage_dt = dt / std::sqrt(stiffness);
       plan.push_back({Phase::kStiffen, stiffness, stage_dt, kStiffenDrag,
                       steps_in(kStiffenTime / kStiffenStages, stage_dt), 0});

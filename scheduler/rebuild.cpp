@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/contact.h"
+
 namespace quern {
 
 namespace {
@@ -125,7 +127,7 @@ SearchInput search_input(const World<Real>& world, RebuildScratch<Real>& s) {
   return in;
 }
 
-std::size_t padded(std::size_t n) { return (n + 7) / 8 * 8; }
+std::size_t padded(std::size_t n) { return (n + kPairPad - 1) / kPairPad * kPairPad; }
 
 // Hands each tile the pairs that other tiles own with it, in order of owner tile.
 template <class Real>
@@ -279,7 +281,8 @@ void adapt_lists(Clock& clock, const ListEnd& end) {
   } else if (lasted < kShortLife) {
     clock.slack *= 1.1;
   } else if (lasted > kLongLife) {
-    clock.slack /= 1.1;
+    // Deviations grow with time: what was needed for a long life is too much for the life wanted.
+    clock.slack *= std::max(0.5, static_cast<double>(kLongLife) / static_cast<double>(lasted));
   }
   clock.slack = std::clamp(clock.slack, 0.02 * end.smallest_radius, 1.0 * end.smallest_radius);
 }

@@ -4,7 +4,7 @@
 //             own: i is in this tile, sorted      imported: j is in this tile, i in another;
 //             by (i, j); tallied here             evaluated here too, from the same bits
 //
-// Both parts are padded to eight slots with i == j, so kernels have no tails. i is the partner with
+// Both parts are padded to kPairPad slots with i == j, so kernels have no tails. i is the partner with
 // the smaller radius, ties by lower identity, for life. History of a slot: tangential spring and the
 // force on i in the last step (and the rolling moment, if the scene has rolling friction).
 #pragma once

@@ -23,110 +23,180 @@ HWY_INLINE hn::Vec<D64> nearest_image(hn::Vec<D64> dx, double period, double inv
   return hn::NegMulAdd(turns, hn::Set(d, period), dx);
 }
 
-// Unit vector and overlap for centres dx apart; `gap2` = R^2 - d^2.
+// Geometry of one f64 vector of pairs: what needs more than f32.
 template <class Real>
-HWY_INLINE void normal_and_overlap(const Vec3V<hn::Vec<D64>>& dx, hn::Vec<D64> d2,
-                                   hn::Vec<D64> gap2, hn::Vec<Lanes<Real>> reach,
-                                   Vec3V<hn::Vec<Lanes<Real>>>& normal,
-                                   hn::Vec<Lanes<Real>>& overlap) {
+struct SeparationV {
+  Vec3V<hn::Vec<D64>> velocity;
+  Vec3V<hn::Vec<HalfLanes<Real>>> place, place_old;   // of i from j, rounded after the difference
+  hn::Vec<HalfLanes<Real>> reach, d2, d2_old, gap2, gap2_old;  // R, d^2, R^2 - d^2
+};
+
+template <class Real>
+HWY_INLINE SeparationV<Real> separate(const StepConstants<Real>& step, const PartnerV<Real>& a,
+                                      const PartnerV<Real>& b) {
+  using V64 = hn::Vec<D64>;
+  const V64 dt = hn::Set(D64(), step.dt);
+  Vec3V<V64> dx = a.place - b.place;
+  if (step.periodic) {
+    dx.x = nearest_image(dx.x, step.period[0], step.inverse_period[0]);
+    dx.y = nearest_image(dx.y, step.period[1], step.inverse_period[1]);
+    dx.z = nearest_image(dx.z, step.period[2], step.inverse_period[2]);
+  }
+  SeparationV<Real> s;
+  s.velocity = a.velocity - b.velocity;
+  const Vec3V<V64> dx_old = add_scaled(dx, hn::Neg(dt), s.velocity);
+  const V64 reach = hn::Add(to_f64(a.radius), to_f64(b.radius));
+  const V64 d2 = dot(dx, dx), d2_old = dot(dx_old, dx_old);
+  s.place = to_real<Real>(dx);
+  s.place_old = to_real<Real>(dx_old);
+  s.reach = to_real<Real>(reach);
+  s.d2 = to_real<Real>(d2);
+  s.d2_old = to_real<Real>(d2_old);
+  s.gap2 = to_real<Real>(hn::MulSub(reach, reach, d2));
+  s.gap2_old = to_real<Real>(hn::MulSub(reach, reach, d2_old));
+  return s;
+}
+
+// Unit vector and overlap (R^2 - d^2) / (R + d) for centres dx apart.
+template <class Real, class V = hn::Vec<Lanes<Real>>>
+HWY_INLINE void normal_and_overlap(const Vec3V<V>& dx, V d2, V gap2, V reach, Vec3V<V>& normal,
+                                   V& overlap) {
   const Lanes<Real> d;
-  const auto distance = hn::Sqrt(hn::Max(to_real<Real>(d2), hn::Set(d, Real(1e-25))));
-  normal = scale(hn::Div(hn::Set(d, 1), distance), to_real<Real>(dx));
-  overlap = hn::Div(to_real<Real>(gap2), hn::Add(reach, distance));
+  const V distance = hn::Sqrt(hn::Max(d2, hn::Set(d, Real(1e-25))));
+  normal = scale(hn::Div(hn::Set(d, 1), distance), dx);
+  overlap = hn::Div(gap2, hn::Add(reach, distance));
+}
+
+// Both partners of a full vector of pairs as the law sees them.
+template <class Real, class V = hn::Vec<Lanes<Real>>>
+HWY_INLINE TouchV<V> touch_of(const PartnerV<Real> (&a)[2], const PartnerV<Real> (&b)[2],
+                              const SeparationV<Real> (&s)[2], V& radius_i) {
+  const Lanes<Real> d;
+  const auto both = [&](const auto& pick) HWY_ATTR { return join<Real>(pick(0), pick(1)); };
+  TouchV<V> t;
+  const V reach = both([&](int h) HWY_ATTR { return s[h].reach; });
+  normal_and_overlap<Real>(both([&](int h) HWY_ATTR { return s[h].place; }),
+                           both([&](int h) HWY_ATTR { return s[h].d2; }),
+                           both([&](int h) HWY_ATTR { return s[h].gap2; }), reach, t.normal,
+                           t.overlap);
+  normal_and_overlap<Real>(both([&](int h) HWY_ATTR { return s[h].place_old; }),
+                           both([&](int h) HWY_ATTR { return s[h].d2_old; }),
+                           both([&](int h) HWY_ATTR { return s[h].gap2_old; }), reach,
+                           t.normal_old, t.overlap_old);
+  t.velocity = both([&](int h) HWY_ATTR { return to_real<Real>(s[h].velocity); });
+  t.spin_i = both([&](int h) HWY_ATTR { return a[h].spin; });
+  t.spin_j = both([&](int h) HWY_ATTR { return b[h].spin; });
+  const V half = hn::Set(d, Real(0.5));
+  radius_i = both([&](int h) HWY_ATTR { return a[h].radius; });
+  const V radius_j = both([&](int h) HWY_ATTR { return b[h].radius; });
+  t.arm_i = hn::NegMulAdd(half, t.overlap, radius_i);
+  t.arm_j = hn::NegMulAdd(half, t.overlap, radius_j);
+  t.arm_i_old = hn::NegMulAdd(half, t.overlap_old, radius_i);
+  t.arm_j_old = hn::NegMulAdd(half, t.overlap_old, radius_j);
+  const V mass_i = both([&](int h) HWY_ATTR { return a[h].inverse_mass; });
+  const V mass_j = both([&](int h) HWY_ATTR { return b[h].inverse_mass; });
+  const V count_i = both([&](int h) HWY_ATTR { return a[h].contacts; });
+  const V count_j = both([&](int h) HWY_ATTR { return b[h].contacts; });
+  t.inverse_mass = hn::Add(mass_i, mass_j);
+  t.count_rate = hn::MulAdd(count_i, mass_i, hn::Mul(count_j, mass_j));
+  t.contacts = hn::Add(count_i, count_j);
+  t.rolling_radius = hn::Div(hn::Mul(radius_i, radius_j), reach);
+  t.inverse_inertia = hn::Mul(hn::Set(d, Real(2.5)),
+                              hn::Add(hn::Div(mass_i, hn::Mul(radius_i, radius_i)),
+                                      hn::Div(mass_j, hn::Mul(radius_j, radius_j))));
+  return t;
+}
+
+// Equal and opposite, added in f64 to the rows of this tile; other tiles' partners to the last row.
+template <class Real, std::size_t half, class V>
+HWY_INLINE void add_pair_rows(const ResponseV<V>& r, const Vec3V<V>& torque_i,
+                              const Vec3V<V>& torque_j, V one, const Index* i, const Index* j,
+                              const TileRows& tile) {
+  const D64 d;
+  const auto f64 = [](V v) HWY_ATTR { return half_f64<Real, half>(v); };
+  const auto first = hn::Set(D32U(), tile.first), size = hn::Set(D32U(), tile.size);
+  HWY_ALIGN Index rows[2][16];
+  hn::StoreU(hn::Min(hn::Sub(hn::LoadU(D32U(), i), first), size), D32U(), rows[0]);
+  hn::StoreU(hn::Min(hn::Sub(hn::LoadU(D32U(), j), first), size), D32U(), rows[1]);
+  const auto fx = f64(r.force.x), fy = f64(r.force.y), fz = f64(r.force.z), count = f64(one);
+  const hn::Vec<D64> on_i[8] = {fx,
+                                fy,
+                                fz,
+                                f64(torque_i.x),
+                                f64(torque_i.y),
+                                f64(torque_i.z),
+                                count,
+                                hn::Zero(d)};
+  add_to_rows(on_i, rows[0], tile.rows);
+  const hn::Vec<D64> on_j[8] = {hn::Neg(fx),
+                                hn::Neg(fy),
+                                hn::Neg(fz),
+                                f64(torque_j.x),
+                                f64(torque_j.y),
+                                f64(torque_j.z),
+                                count,
+                                hn::Zero(d)};
+  add_to_rows(on_j, rows[1], tile.rows);
 }
 
 template <class Real, bool kTally>
 HWY_INLINE void sphere_sphere_range(const StepConstants<Real>& step, const ParticleView<Real>& p,
                                     const PairView<Real>& pairs, std::size_t begin, std::size_t end,
                                     const TileRows& tile, ContactTally& tally) {
-  const D64 d;
-  const Lanes<Real> dr;
+  const Lanes<Real> d;
   using V = hn::Vec<Lanes<Real>>;
-  const std::size_t lanes = hn::Lanes(d);
-  const auto dt64 = hn::Set(d, step.dt);
+  const std::size_t lanes = hn::Lanes(d), half = hn::Lanes(D64());
+  const V zero = hn::Zero(d);
   TallyV sum = zero_tally();
-  HWY_ALIGN Index rows[2][16];
   for (std::size_t at = begin; at < end; at += lanes) {
     if (at + 2 * lanes < end) {
       for (std::size_t k = 0; k < lanes; ++k) hwy::Prefetch(p.record + pairs.j[at + 2 * lanes + k]);
     }
-    const PartnerV<Real> a = load_partner(p, pairs.i + at);
-    const PartnerV<Real> b = load_partner(p, pairs.j + at);
-    Vec3V<hn::Vec<D64>> dx = a.place - b.place;
-    if (step.periodic) {
-      dx.x = nearest_image(dx.x, step.period[0], step.inverse_period[0]);
-      dx.y = nearest_image(dx.y, step.period[1], step.inverse_period[1]);
-      dx.z = nearest_image(dx.z, step.period[2], step.inverse_period[2]);
+    PartnerV<Real> a[2], b[2];
+    SeparationV<Real> s[2];
+    for (std::size_t h = 0; h < kHalves<Real>; ++h) {
+      a[h] = load_partner(p, pairs.i + at + h * half);
+      b[h] = load_partner(p, pairs.j + at + h * half);
+      s[h] = separate(step, a[h], b[h]);
     }
-    const Vec3V<hn::Vec<D64>> dv = a.velocity - b.velocity;
-    const auto reach = hn::Add(to_f64(a.radius), to_f64(b.radius));
-    const auto d2 = dot(dx, dx);
-    const auto gap2 = hn::NegMulAdd(reach, reach, d2);  // d^2 - R^2
-    const auto listed_i = hn::LoadU(D32U(), pairs.i + at), listed_j = hn::LoadU(D32U(), pairs.j + at);
+    const V gap2 = join<Real>(s[0].gap2, s[1].gap2);
     HistoryV<V> old;
     old.spring = load3<V>(pairs.spring, at);
     old.force = load3<V>(pairs.force, at);
     const V any_force =
         hn::Add(hn::Abs(old.force.x), hn::Add(hn::Abs(old.force.y), hn::Abs(old.force.z)));
-    const V gap = to_real<Real>(hn::Neg(gap2));
     // Padding pairs a particle with itself: gap = R^2 there, so ask for two distinct partners.
-    const auto distinct = hn::Ne(to_index<Real>(listed_i), to_index<Real>(listed_j));
-    const auto touching = hn::And(hn::RebindMask(dr, distinct), hn::Gt(gap, hn::Zero(dr)));
-    if (hn::AllFalse(dr, hn::Or(touching, hn::Gt(any_force, hn::Zero(dr))))) continue;
+    const auto distinct = hn::RebindMask(
+        d, hn::Ne(load_index<Real>(pairs.i + at), load_index<Real>(pairs.j + at)));
+    const auto touching = hn::And(distinct, hn::Gt(gap2, zero));
+    if (hn::AllFalse(d, hn::Or(touching, hn::Gt(any_force, zero)))) continue;
 
-    TouchV<V> t;
-    const V reach_real = to_real<Real>(reach);
-    normal_and_overlap<Real>(dx, d2, hn::Neg(gap2), reach_real, t.normal, t.overlap);
-    const Vec3V<hn::Vec<D64>> dx_old = add_scaled(dx, hn::Neg(dt64), dv);
-    const auto d2_old = dot(dx_old, dx_old);
-    normal_and_overlap<Real>(dx_old, d2_old, hn::Sub(hn::Mul(reach, reach), d2_old), reach_real,
-                             t.normal_old, t.overlap_old);
-    const V half = hn::Set(dr, Real(0.5));
-    t.velocity = to_real<Real>(dv);
-    t.spin_i = a.spin;
-    t.spin_j = b.spin;
-    t.arm_i = hn::NegMulAdd(half, t.overlap, a.radius);
-    t.arm_j = hn::NegMulAdd(half, t.overlap, b.radius);
-    t.arm_i_old = hn::NegMulAdd(half, t.overlap_old, a.radius);
-    t.arm_j_old = hn::NegMulAdd(half, t.overlap_old, b.radius);
-    t.inverse_mass = hn::Add(a.inverse_mass, b.inverse_mass);
-    t.count_rate = hn::MulAdd(a.contacts, a.inverse_mass, hn::Mul(b.contacts, b.inverse_mass));
-    t.contacts = hn::Add(a.contacts, b.contacts);
-    old.moment = {hn::Zero(dr), hn::Zero(dr), hn::Zero(dr)};
-    if (step.rolling) {
-      old.moment = load3<V>(pairs.moment, at);
-      t.rolling_radius = hn::Div(hn::Mul(a.radius, b.radius), hn::Add(a.radius, b.radius));
-      const V two_and_half = hn::Set(dr, Real(2.5));
-      t.inverse_inertia =
-          hn::Mul(two_and_half, hn::Add(hn::Div(a.inverse_mass, hn::Mul(a.radius, a.radius)),
-                                        hn::Div(b.inverse_mass, hn::Mul(b.radius, b.radius))));
-    } else {
-      t.rolling_radius = t.inverse_inertia = hn::Zero(dr);
-    }
+    V radius_i;
+    const TouchV<V> t = touch_of<Real>(a, b, s, radius_i);
+    old.moment = {zero, zero, zero};
+    if (step.rolling) old.moment = load3<V>(pairs.moment, at);
+    const auto material_i = join<Real>(a[0].material, a[1].material);
+    const auto material_j = join<Real>(b[0].material, b[1].material);
+    using Row = hn::RebindToSigned<Lanes<Real>>;
     const auto row = hn::Add(
-        hn::Mul(a.material, hn::Set(hn::DFromV<decltype(a.material)>(),
-                                    static_cast<hn::TFromV<decltype(a.material)>>(step.law.materials))),
-        b.material);
-    const ResponseV<V> r = respond<Real>(step, load_coefficients<Real>(step.law, row), t, old, touching);
+        hn::Mul(material_i, hn::Set(Row(), static_cast<hn::TFromD<Row>>(step.law.materials))),
+        material_j);
+    const ResponseV<V> r =
+        respond<Real>(step, load_coefficients<Real>(step.law, row), t, old, touching);
     store3(r.spring, pairs.spring, at);
     store3(r.force, pairs.force, at);
     if (step.rolling) store3(r.moment, pairs.moment, at);
-    if constexpr (kTally) count_response(r, touching, hn::Div(t.overlap, a.radius), sum);
+    if constexpr (kTally) count_response<Real>(r, touching, hn::Div(t.overlap, radius_i), sum);
 
-    // Equal and opposite, added in f64 to the rows of this tile; other tiles' partners to the last.
     const Vec3V<V> twist = cross(r.tangential, t.normal);  // = -n x F_t
-    const Vec3V<V> ti = add_scaled(r.moment, t.arm_i, twist);
-    const Vec3V<V> tj = scale(t.arm_j, twist) - r.moment;
-    const auto first = hn::Set(D32U(), tile.first), size = hn::Set(D32U(), tile.size);
-    hn::StoreU(hn::Min(hn::Sub(listed_i, first), size), D32U(), rows[0]);
-    hn::StoreU(hn::Min(hn::Sub(listed_j, first), size), D32U(), rows[1]);
-    const auto one = to_f64(hn::IfThenElseZero(touching, hn::Set(dr, 1)));
-    const auto fx = to_f64(r.force.x), fy = to_f64(r.force.y), fz = to_f64(r.force.z);
-    const hn::Vec<D64> on_i[8] = {fx, fy, fz, to_f64(ti.x), to_f64(ti.y), to_f64(ti.z), one, hn::Zero(d)};
-    add_to_rows(on_i, rows[0], tile.rows);
-    const hn::Vec<D64> on_j[8] = {hn::Neg(fx),  hn::Neg(fy),  hn::Neg(fz), to_f64(tj.x),
-                                  to_f64(tj.y), to_f64(tj.z), one,         hn::Zero(d)};
-    add_to_rows(on_j, rows[1], tile.rows);
+    const Vec3V<V> torque_i = add_scaled(r.moment, t.arm_i, twist);
+    const Vec3V<V> torque_j = scale(t.arm_j, twist) - r.moment;
+    const V one = hn::IfThenElseZero(touching, hn::Set(d, 1));
+    add_pair_rows<Real, 0>(r, torque_i, torque_j, one, pairs.i + at, pairs.j + at, tile);
+    if constexpr (kHalves<Real> == 2) {
+      add_pair_rows<Real, 1>(r, torque_i, torque_j, one, pairs.i + at + half, pairs.j + at + half,
+                             tile);
+    }
   }
   if constexpr (kTally) add_tally(sum, tally);
 }
