@@ -253,7 +253,7 @@ MeshResult read_stl(const std::string& path, double scale) {
   MeshResult result;
   Errors errors(path, result.errors);
   std::string bytes;
-  if (!(scale > 0) || !std::isfinite(scale))
+  if (!std::isfinite(scale) || scale <= 0)
     errors.add("", fmt::format("the scale of a mesh must be greater than 0, found {}", scale));
   else if (!read_bytes(path, bytes, errors))
     return result;

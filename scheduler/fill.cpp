@@ -23,10 +23,6 @@ constexpr double kRise = 1.03;            // of the volume below the level
 constexpr double kRainFraction = 0.12;    // loose enough to fall freely
 constexpr double kThinnestColumn = 0.02;  // solid fraction of the tallest column above an open box
 
-bool inserted_later(const Scene& scene) {
-  return scene.fill.method == FillMethod::kRain && scene.fill.over > 0;
-}
-
 class Placer {
  public:
   Placer(const Scene& scene, std::span<const Facets* const> walls,
@@ -198,13 +194,17 @@ void find_bounds(const Scene& scene, std::span<const ParticleSeed> particles, Fi
     low = low.cwiseMin(p.position - Vec3::Constant(p.radius));
     high = high.cwiseMax(p.position + Vec3::Constant(p.radius));
   }
-  if (low.allFinite()) {
+  if ((low.array() <= high.array()).all()) {
     report.low = low;
     report.high = high;
   }
 }
 
 }  // namespace
+
+bool inserted_later(const Scene& scene) {
+  return scene.fill.method == FillMethod::kRain && scene.fill.over > 0;
+}
 
 FillReport place_particles(const Scene& scene, std::span<const Facets* const> walls,
                            std::vector<ParticleSeed>& particles) {

@@ -24,6 +24,9 @@ struct FillReport {
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();  // bounds of all particles that have a place
 };
 
+// Whether the scene lets particles rain in over time (scheduler/rain).
+bool inserted_later(const Scene& scene);
+
 // Sets the positions of all but the explicit particles, which stay; with kRain over a time it
 // leaves the others to scheduler/rain. `walls` are in the pose of t = 0. Throws UserError if they
 // don't fit.

@@ -290,6 +290,13 @@ void adapt_lists(Clock& clock, const ListEnd& end) {
 template <class Real>
 void rebuild(World<Real>& world, Graph& graph, RebuildScratch<Real>& s) {
   const std::size_t n = world.particles.size();
+  if (n == 0) {
+    world.pairs.begin.reset(1);
+    world.pairs.begin[0] = 0;
+    world.pairs.own_end.reset(0);
+    world.tile_walls.clear();
+    return;
+  }
   s.points.resize(n);
   wrap_positions(world);
   order_particles(world, graph, s);

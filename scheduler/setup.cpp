@@ -357,9 +357,17 @@ void append_particles(World<Real>& world, const Scene& scene,
   world.clock.list_stale = 1;
 }
 
+void include_fill(const Scene& scene, const Vec3& low, const Vec3& high, SceneGeometry& geometry) {
+  for (int a = 0; a < 3; ++a) {
+    if (geometry.periodic[static_cast<std::size_t>(a)]) continue;
+    if (!scene.domain.low) geometry.low[a] = std::min(geometry.low[a], low[a]);
+    if (!scene.domain.high) geometry.high[a] = std::max(geometry.high[a], high[a]);
+  }
+}
+
 template <class Real>
 World<Real> make_world(const Scene& scene, SceneGeometry geometry,
-                       std::span<const ParticleSeed> particles) {
+                       std::span<const ParticleSeed> all, std::span<const ParticleSeed> present) {
   World<Real> world;
   world.tile_size = scene.run.tile_size;
   world.gravity = scene.run.gravity;
@@ -373,18 +381,20 @@ World<Real> make_world(const Scene& scene, SceneGeometry geometry,
   }
   world.walls = std::move(geometry.walls);
   world.bodies = std::move(geometry.bodies);
-  world.smallest_radius = radius_range(particles).first;
+  world.smallest_radius = radius_range(all).first;
   world.clock.slack = scene.run.list_slack.value_or(0.2 * world.smallest_radius);
   world.clock.fixed_slack = scene.run.list_slack ? 1 : 0;
-  world.clock.dt = choose_time_step(scene, particles);
+  world.clock.dt = choose_time_step(scene, all);
   world.pairs.rolling = world.rolling;
   set_stiffness(world, scene, 1);
-  append_particles(world, scene, particles);
+  append_particles(world, scene, present);
   return world;
 }
 
-template World<float> make_world(const Scene&, SceneGeometry, std::span<const ParticleSeed>);
-template World<double> make_world(const Scene&, SceneGeometry, std::span<const ParticleSeed>);
+template World<float> make_world(const Scene&, SceneGeometry, std::span<const ParticleSeed>,
+                                 std::span<const ParticleSeed>);
+template World<double> make_world(const Scene&, SceneGeometry, std::span<const ParticleSeed>,
+                                 std::span<const ParticleSeed>);
 template void append_particles(World<float>&, const Scene&, std::span<const ParticleSeed>);
 template void append_particles(World<double>&, const Scene&, std::span<const ParticleSeed>);
 template void set_stiffness(World<float>&, const Scene&, double);

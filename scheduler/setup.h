@@ -43,9 +43,13 @@ inline constexpr double kRefusedSteps = 4.0, kWarnedSteps = 10.0, kAdvisedSteps 
 // The scene's step, or a 25th of the shortest contact.
 double choose_time_step(const Scene& scene, std::span<const ParticleSeed> particles);
 
+// Widens an automatic domain to hold a fill.
+void include_fill(const Scene& scene, const Vec3& low, const Vec3& high, SceneGeometry& geometry);
+
+// `all` are the particles of the scene, `present` those there from the start.
 template <class Real>
 World<Real> make_world(const Scene& scene, SceneGeometry geometry,
-                       std::span<const ParticleSeed> particles);
+                       std::span<const ParticleSeed> all, std::span<const ParticleSeed> present);
 
 // Adds particles to a running world; they get the next identities. The lists go stale.
 template <class Real>

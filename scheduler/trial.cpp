@@ -95,7 +95,7 @@ StabilityTrial measure_stability(const Scene& scene, const TrialSpec& spec) {
   std::vector<ParticleSeed> seeds = sizes;
   SceneGeometry geometry = build_geometry(base, {}, seeds);
   place_particles(base, geometry.facets(), seeds);
-  World<double> world = make_world<double>(base, std::move(geometry), seeds);
+  World<double> world = make_world<double>(base, std::move(geometry), seeds, seeds);
   const std::vector<PhasePlan> plan =
       plan_phases(base, *base.run.time_step, 0.1, world.total_mass, 0.5 * spec.from);
   Stepper<double> stepper(world, 1);

@@ -26,7 +26,6 @@ struct Particles {
 #define QUERN_RESET(type, name, unit, doc) name.reset(n);
     QUERN_PARTICLE_FIELDS(QUERN_RESET)
 #undef QUERN_RESET
-    reset_next();
   }
   void resize(std::size_t n) {
 #define QUERN_RESIZE(type, name, unit, doc) name.resize(n);

@@ -16,7 +16,7 @@
 namespace quern {
 
 template <class Real>
-struct Record {
+struct alignas(16) Record {
   double x, y, z;     // m
   double vx, vy, vz;  // m/s, at the half step before
   Real wx, wy, wz;    // rad/s, at the half step before

@@ -74,7 +74,8 @@ struct LifterSpec {
   double top_width = 0;   // m
 };
 
-// A mill by its numbers: axis +z through the origin, z from 0 to length (cases.md conventions).
+// A mill by its numbers: axis +z through the origin, z from 0 to length, lifter k centred at
+// angle 2 pi k / count from +x at t = 0, its height measured on its mid-plane.
 struct MillSpec {
   std::string material;
   std::string end_material;  // empty: material

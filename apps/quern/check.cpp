@@ -80,7 +80,8 @@ void print_cost(const LoadedScene& loaded, int threads) {
   }
   const FillReport fill = place_particles(loaded.scene, geometry.facets(), seeds);
   log_info(fmt::format("placing      {:.1f} s, solid fraction {:.3f}", fill.seconds, fill.fraction));
-  World<Real> world = make_world<Real>(loaded.scene, std::move(geometry), seeds);
+  include_fill(loaded.scene, fill.low, fill.high, geometry);
+  World<Real> world = make_world<Real>(loaded.scene, std::move(geometry), seeds, seeds);
   const double depth = (fill.high - fill.low).maxCoeff();
   const std::vector<PhasePlan> plan =
       plan_phases(loaded.scene, loaded.dt, depth, world.total_mass, 0.01);

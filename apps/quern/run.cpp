@@ -45,27 +45,29 @@ class Run {
     const Scene& scene = loaded_.scene;
     SceneGeometry geometry = build_geometry(scene, loaded_.meshes, loaded_.seeds);
     double depth = (geometry.high - geometry.low).norm();
-    std::vector<ParticleSeed> first = loaded_.seeds;
     const bool fills = checkpoint.empty() && scene.run.start == StartKind::kFill;
-    if (fills) {
-      const std::vector<const Facets*> walls = geometry.facets();
-      const FillReport fill = place_particles(scene, walls, loaded_.seeds);
-      first = loaded_.seeds;
-      log_info(fmt::format("placed {} particles in {:.1f} s, solid fraction {:.3f}", first.size(),
-                           fill.seconds, fill.fraction));
-      for (const std::string& line : check_overlaps(scene, walls, first)) log_warn(line);
-      depth = std::max(fill.high.maxCoeff() - fill.low.minCoeff(), 0.0);
+    const bool rains = scene.run.start == StartKind::kFill && inserted_later(scene);
+    if (fills) depth = fill(geometry);
+    std::vector<ParticleSeed> present;
+    for (const ParticleSeed& p : loaded_.seeds) {
+      if (!rains || is_explicit(scene, p)) present.push_back(p);
+      smallest_ = std::min(smallest_, p.radius);
+      scene_mass_ += scene.materials[p.material].density * sphere_volume(p.radius);
     }
-    world_ = make_world<Real>(scene, std::move(geometry), first);
+    world_ = make_world<Real>(scene, std::move(geometry), loaded_.seeds, present);
+    if (rains) {
+      rain_ = std::make_unique<Rain>(scene, bodies_of(world_), loaded_.seeds);
+    } else {
+      std::vector<ParticleSeed>().swap(loaded_.seeds);  // tens of megabytes in a large scene
+    }
     if (!fills) {
       const std::string from = checkpoint.empty() ? start_path(scene) : checkpoint;
       read_checkpoint(from, [&](StateVisitor& v) { world_.visit(v); });
       count_mass();
       if (checkpoint.empty()) restart_clock();
     }
-    double smallest = 1e300;
-    for (const ParticleSeed& p : loaded_.seeds) smallest = std::min(smallest, p.radius);
-    plan_ = plan_phases(scene, loaded_.dt, depth, world_.total_mass, smallest);
+    if (rain_) rain_->resume_after(world_.clock.inserted);
+    plan_ = plan_phases(scene, loaded_.dt, depth, scene_mass_, smallest_);
     stepper_ = std::make_unique<Stepper<Real>>(world_, options.threads);
     const bool resumed = !checkpoint.empty();
     const bool in_run = resumed && world_.clock.phase + 1 == plan_.size();
@@ -100,6 +102,47 @@ class Run {
     return fs::is_directory(path) ? usable_checkpoint(path.string()) : path.string();
   }
 
+  static std::vector<const Facets*> bodies_of(const World<Real>& world) {
+    std::vector<const Facets*> all;
+    for (const Body& body : world.bodies) all.push_back(&body.facets);
+    return all;
+  }
+
+  // Places the particles; returns how far the charge may fall.
+  double fill(SceneGeometry& geometry) {
+    const Scene& scene = loaded_.scene;
+    const std::vector<const Facets*> walls = geometry.facets();
+    const FillReport report = place_particles(scene, walls, loaded_.seeds);
+    include_fill(scene, report.low, report.high, geometry);
+    if (inserted_later(scene)) {
+      log_info(fmt::format("{} particles rain in over {:g} s", loaded_.seeds.size(), scene.fill.over));
+      return (geometry.high - geometry.low).norm();
+    }
+    log_info(fmt::format("placed {} particles in {:.1f} s, solid fraction {:.3f}",
+                         loaded_.seeds.size(), report.seconds, report.fraction));
+    for (const std::string& line : check_overlaps(scene, walls, loaded_.seeds)) log_warn(line);
+    return (report.high - report.low).maxCoeff();
+  }
+
+  // Rain: lets in what is due by now, in the first phase.
+  void let_in() {
+    if (!rain_ || world_.clock.phase != 0 || rain_->waiting() == 0) return;
+    constexpr std::uint64_t kEvery = 50;
+    if (world_.clock.step % kEvery != 0) return;
+    std::vector<PlacedSphere> here;
+    const Particles<Real>& p = world_.particles;
+    for (std::size_t k = 0; k < p.size(); ++k) {
+      const Record<Real>& r = p.record[k];
+      here.push_back({Vec3(r.x, r.y, r.z), static_cast<double>(r.radius)});
+    }
+    const std::vector<std::size_t> in = rain_->insert(world_.time() + 1e-9, here, loaded_.seeds);
+    if (in.empty()) return;
+    std::vector<ParticleSeed> fresh;
+    for (const std::size_t k : in) fresh.push_back(loaded_.seeds[k]);
+    append_particles(world_, loaded_.scene, fresh);
+    world_.clock.inserted = rain_->inserted();
+  }
+
   void count_mass() {
     world_.total_mass = 0;
     for (const Real inverse : world_.particles.inverse_mass) {
@@ -126,6 +169,7 @@ class Run {
         stopped_ = true;
         break;
       }
+      let_in();
       const double before = now();
       const StepReport report = stepper_->step();
       if (run) {
@@ -229,8 +273,13 @@ class Run {
       return 0;
     }
     const Ledger& l = world_.ledger;
-    log_info(fmt::format("power        {} (mean torque and errors in summary.json)",
-                         format_power(recorder_->recorded_power())));
+    if (std::isfinite(recorder_->recorded_power())) {
+      log_info(fmt::format("power        {} (torque, energies and their errors in summary.json)",
+                           format_power(recorder_->recorded_power())));
+    } else {
+      log_info(fmt::format("power        none recorded yet: the record starts at t = {:g} s",
+                           record_start(loaded_.scene)));
+    }
     log_info(fmt::format(
         "energy       walls {:.4g} J + gravity {:.4g} J = dissipated {:.4g} J + stored {:.4g} J; "
         "error {:.1e}, numerical loss {:.1e}",
@@ -259,6 +308,8 @@ class Run {
   std::unique_ptr<Recorder> recorder_;
   RunFigures figures_;
   Progress progress_;
+  std::unique_ptr<Rain> rain_;
+  double smallest_ = 1e300, scene_mass_ = 0;
   bool stopped_ = false;
 };
 

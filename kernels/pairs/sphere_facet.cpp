@@ -158,8 +158,10 @@ WallTouch touch_of(const Reports& reports, const Report& report, const Vec3& cen
   touch.behind = is_behind(reports, report);
   touch.normal = report.facet->normal;
   if (distance > kOnTheWall * reports.radius) {
-    touch.normal = report.region == 0 ? (touch.behind ? -1.0 : 1.0) * report.facet->normal
-                                      : Vec3(-report.offset / distance);
+    // An edge or vertex inside a plane group is a place on the face like any other.
+    touch.normal = report.feature == report.facet->group
+                       ? Vec3((touch.behind ? -1.0 : 1.0) * report.facet->normal)
+                       : Vec3(-report.offset / distance);
   } else {
     touch.behind = false;
   }

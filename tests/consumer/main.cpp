@@ -38,7 +38,7 @@ int main() {
   std::vector<ParticleSeed> particles = draw_sizes(read.scene);
   SceneGeometry geometry = build_geometry(read.scene, {}, particles);
   place_particles(read.scene, geometry.facets(), particles);
-  World<float> world = make_world<float>(read.scene, std::move(geometry), particles);
+  World<float> world = make_world<float>(read.scene, std::move(geometry), particles, particles);
   Stepper<float> stepper(world, 1);
   while (world.time() < 1) stepper.step();
   const double height = world.particles.record[0].y;

@@ -33,7 +33,7 @@ World<Real> world_of(const Scene& scene, const std::vector<std::vector<Triangle>
   std::vector<ParticleSeed> seeds = draw_sizes(scene);
   SceneGeometry geometry = build_geometry(scene, meshes, seeds);
   place_particles(scene, geometry.facets(), seeds);
-  World<Real> world = make_world<Real>(scene, std::move(geometry), seeds);
+  World<Real> world = make_world<Real>(scene, std::move(geometry), seeds, seeds);
   world.moving_walls = true;
   return world;
 }
