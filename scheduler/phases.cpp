@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kTrueLawTime = 0.1;    // s, the end of every settling
 constexpr double kSoftDrag = 4;         // 1/s: falls end at g/4, bounces die within a second
-constexpr double kStiffenTime = 0.5;    // s; a deep bed rises by centimetres while it stiffens
+constexpr double kStiffenTime = 0.25;   // s; a deep bed rises by centimetres while it stiffens
 constexpr int kStiffenStages = 48;      // so many that a stage releases a tenth of the overlap
 constexpr double kStiffenDrag = 20;     // 1/s
 

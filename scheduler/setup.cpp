@@ -344,6 +344,12 @@ void append_particles(World<Real>& world, const Scene& scene,
                         sphere_volume(static_cast<double>(radius));
     p.inverse_mass[k] = static_cast<Real>(1 / mass);
     world.total_mass += 1 / static_cast<double>(p.inverse_mass[k]);
+    // What comes in with a velocity brings its energy along.
+    if (world.ledger.open != 0) {
+      const double inertia = 0.4 * mass * seed.radius * seed.radius;
+      world.ledger.start_kinetic +=
+          0.5 * (mass * seed.velocity.squaredNorm() + inertia * seed.spin.squaredNorm());
+    }
     p.tag[k] = make_tag(seed.material, 0);
     p.id[k] = static_cast<Index>(k);
     p.species[k] = seed.species;
