@@ -51,6 +51,35 @@ HWY_INLINE void store_records(const Vec3V<hn::Vec<D64>>& x, const Vec3V<hn::Vec<
   }
 }
 
+#if QUERN_ROWS_IN_REGISTERS
+// Eight whole records, turned in registers.
+HWY_INLINE void store_full_records(const Vec3V<hn::Vec<D64>>& x, const Vec3V<hn::Vec<D64>>& v,
+                                   const Vec3V<hn::Vec<D64>>& w, hn::Vec<HalfLanes<float>> radius,
+                                   Record<float>* to) {
+  const auto two_f32 = [](__m256 low, __m256 high) HWY_ATTR {
+    const __m512i a = _mm512_cvtepu32_epi64(_mm256_castps_si256(low));
+    const __m512i b = _mm512_cvtepu32_epi64(_mm256_castps_si256(high));
+    return V64{_mm512_castsi512_pd(_mm512_or_si512(a, _mm512_slli_epi64(b, 32)))};
+  };
+  const Vec3V<hn::Vec<HalfLanes<float>>> spin = to_real<float>(w);
+  V64 c[8] = {x.x, x.y, x.z, v.x, v.y, v.z, two_f32(spin.x.raw, spin.y.raw),
+              two_f32(spin.z.raw, radius.raw)};
+  transpose8(c);
+  for (int k = 0; k < 8; ++k) hn::Store(c[k], D64(), reinterpret_cast<double*>(to + k));
+}
+#endif
+
+// Asks for what a later block of the tile will need; past the end it is the next tile's.
+template <class Real>
+HWY_INLINE void prefetch_block(const MoveView<Real>& m, std::size_t at) {
+  for (int a = 0; a < 3; ++a) {
+    hwy::Prefetch(m.spin[a] + at);
+    hwy::Prefetch(m.list_place[a] + at);
+    hwy::Prefetch(m.list_velocity[a] + at);
+  }
+  for (std::size_t k = 0; k < hn::Lanes(D64()); ++k) hwy::Prefetch(m.next + at + k);
+}
+
 struct MoveSumV {
   hn::Vec<D64> translational, rotational, momentum[3], moment[3], drag, deviation, bad;
 };
@@ -75,6 +104,7 @@ void move_spheres(const MoveView<Real>& m, const TileRows& tile, double dt, Move
     for (std::size_t l = 0; l < lanes; ++l) {
       lane[l] = static_cast<Index>(at + HWY_MIN(l, count - 1));
     }
+    prefetch_block(m, at + 8 * lanes);
     const auto live = hn::FirstN(d, count);
     const PartnerV<Real> p = load_partner(view, lane);
     V row[8];
@@ -90,7 +120,19 @@ void move_spheres(const MoveView<Real>& m, const TileRows& tile, double dt, Move
     const Vec3V<V> spin_old = {hn::LoadU(d, m.spin[0] + at), hn::LoadU(d, m.spin[1] + at),
                                hn::LoadU(d, m.spin[2] + at)};
     const Vec3V<V> spin = scale(drag, add_scaled(spin_old, twist, torque));
+#if QUERN_ROWS_IN_REGISTERS
+    if constexpr (sizeof(Real) == sizeof(float)) {
+      if (count == 8) {
+        store_full_records(place, velocity, spin, p.radius, m.next + at);
+      } else {
+        store_records<Real>(place, velocity, spin, p.radius, count, m.next + at);
+      }
+    } else {
+      store_records<Real>(place, velocity, spin, p.radius, count, m.next + at);
+    }
+#else
     store_records<Real>(place, velocity, spin, p.radius, count, m.next + at);
+#endif
     hn::BlendedStore(spin.x, live, d, m.spin[0] + at);
     hn::BlendedStore(spin.y, live, d, m.spin[1] + at);
     hn::BlendedStore(spin.z, live, d, m.spin[2] + at);

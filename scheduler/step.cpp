@@ -54,7 +54,6 @@ void Stepper<Real>::prepare() {
   constants_.law = table_of<Real>(world_.law, world_.materials);
   wall_constants_.law = table_of<double>(world_.wall_law, world_.materials);
   tile_totals_.resize(world_.tiles());
-  world_.tile_walls.resize(world_.tiles());
   tile_walls_.resize(world_.tiles() * world_.walls.size());
   world_.wall_totals.resize(world_.walls.size());
 }

@@ -2,6 +2,7 @@
 // the visit. Visiting to write and visiting to read are the same code.
 #include "soa/world.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace quern {
@@ -42,7 +43,11 @@ typename World<Real>::PackedWalls World<Real>::pack_walls() const {
 
 template <class Real>
 void World<Real>::unpack_walls(const PackedWalls& p) {
-  tile_walls.assign(tiles(), TileWalls());
+  // Another run may start from this state with other tiles; its first rebuild sorts the springs in.
+  std::size_t saved = tiles();
+  for (const Index tile : p.spring_tile) saved = std::max<std::size_t>(saved, tile + 1u);
+  for (const Index tile : p.entry_tile) saved = std::max<std::size_t>(saved, tile + 1u);
+  tile_walls.assign(saved, TileWalls());
   for (TileWalls& t : tile_walls) t.candidates.first.push_back(0);
   for (std::size_t s = 0; s < p.spring_tile.size(); ++s) {
     WallSpring spring;

@@ -85,7 +85,7 @@ HWY_INLINE Vec3V<V> carry_spring(const Vec3V<V>& spring, const TouchV<V>& t, V d
   const Vec3V<V>& n = t.normal;
   const V along = dot(spring, n);
   // 1 + n.n_old is near 2; lanes without a contact may hold anything and must not divide by zero.
-  const V turn = hn::Div(hn::Neg(along), hn::Max(hn::Add(one, dot(n, t.normal_old)), half));
+  const V turn = hn::Neg(hn::Div(along, hn::Max(hn::Add(one, dot(n, t.normal_old)), half)));
   const Vec3V<V> carried = add_scaled(spring, turn, n + t.normal_old);
   const V angle = hn::Mul(hn::Mul(half, dt), dot(t.spin_i + t.spin_j, n));
   const V shorten = hn::NegMulAdd(hn::Mul(half, angle), angle, one);
@@ -99,7 +99,7 @@ HWY_INLINE ResponseV<V> respond(const StepConstants<Real>& step, const Coefficie
   const V zero = hn::Zero(d), one = hn::Set(d, 1), half = hn::Set(d, Real(0.5));
   const V dt = hn::Set(d, static_cast<Real>(step.dt));
   const V half_dt = hn::Mul(half, dt);
-  const V tiny = hn::Set(d, Real(1e-25));
+  const V tiny = hn::Set(d, Real(1e-15));
   const V spheres = hn::Set(d, Real(3.5));  // m_e / m_t of spheres
 
   // Rates of the dashpots and the effective constants.
@@ -107,10 +107,17 @@ HWY_INLINE ResponseV<V> respond(const StepConstants<Real>& step, const Coefficie
   const V cn = hn::Mul(k.an, root_mass), ct = hn::Mul(k.at, root_mass);
   const V rate_n = hn::Mul(half_dt, hn::Mul(cn, t.inverse_mass));
   const V rate_t = hn::Mul(half_dt, hn::Mul(hn::Mul(ct, t.inverse_mass), spheres));
-  const V kn = hn::Div(k.kn, hn::Add(one, rate_n)), kt = hn::Div(k.kt, hn::Add(one, rate_t));
-  const V crowd = hn::Max(one, hn::Div(t.count_rate, t.inverse_mass));
-  const V cn_bound = hn::Div(cn, hn::MulAdd(rate_n, crowd, one));
-  const V ct_bound = hn::Div(ct, hn::MulAdd(rate_t, crowd, one));
+  const V crowd = hn::Max(one, hn::Mul(t.count_rate, hn::Mul(root_mass, root_mass)));
+  // Four quotients by one division: all divisors are of order one.
+  const V pair_n = hn::Add(one, rate_n), pair_t = hn::Add(one, rate_t);
+  const V crowd_n = hn::MulAdd(rate_n, crowd, one), crowd_t = hn::MulAdd(rate_t, crowd, one);
+  const V pairs = hn::Mul(pair_n, pair_t), crowds = hn::Mul(crowd_n, crowd_t);
+  const V inverse = hn::Div(one, hn::Mul(pairs, crowds));
+  const V inverse_pairs = hn::Mul(inverse, crowds), inverse_crowds = hn::Mul(inverse, pairs);
+  const V kn = hn::Mul(k.kn, hn::Mul(inverse_pairs, pair_t));
+  const V kt = hn::Mul(k.kt, hn::Mul(inverse_pairs, pair_n));
+  const V cn_bound = hn::Mul(cn, hn::Mul(inverse_crowds, crowd_t));
+  const V ct_bound = hn::Mul(ct, hn::Mul(inverse_crowds, crowd_n));
 
   // Relative velocity at the contact point.
   const Vec3V<V>& n = t.normal;
@@ -138,10 +145,12 @@ HWY_INLINE ResponseV<V> respond(const StepConstants<Real>& step, const Coefficie
   const V cap = hn::Mul(k.mu, hn::Abs(fn));
   const V trial_size = hn::Sqrt(dot(trial, trial));
   const M slides = hn::Gt(trial_size, cap);
-  const V cut = hn::IfThenElse(slides, hn::Div(cap, hn::Max(trial_size, tiny)), one);
   const V spring_force = hn::Mul(kt, hn::Sqrt(dot(spring_trial, spring_trial)));
+  const V size_a = hn::Max(trial_size, tiny), size_b = hn::Max(spring_force, tiny);
+  const V cap_over_both = hn::Div(cap, hn::Mul(size_a, size_b));
+  const V cut = hn::IfThenElse(slides, hn::Mul(cap_over_both, size_b), one);
   const V spring_cut = hn::IfThenElse(hn::And(slides, hn::Gt(spring_force, cap)),
-                                      hn::Div(cap, hn::Max(spring_force, tiny)), one);
+                                      hn::Mul(cap_over_both, size_a), one);
   ResponseV<V> r;
   r.tangential = scale(cut, trial);
   r.spring = scale(spring_cut, spring_trial);

@@ -57,32 +57,36 @@ HWY_INLINE SeparationV<Real> separate(const StepConstants<Real>& step, const Par
   return s;
 }
 
-// Unit vector and overlap (R^2 - d^2) / (R + d) for centres dx apart.
+// Unit vectors and overlaps (R^2 - d^2) / (R + d), now and a step ago, by two divisions.
 template <class Real, class V = hn::Vec<Lanes<Real>>>
-HWY_INLINE void normal_and_overlap(const Vec3V<V>& dx, V d2, V gap2, V reach, Vec3V<V>& normal,
-                                   V& overlap) {
+HWY_INLINE void set_geometry(const SeparationV<Real> (&s)[2], TouchV<V>& t, V& reach) {
   const Lanes<Real> d;
-  const V distance = hn::Sqrt(hn::Max(d2, hn::Set(d, Real(1e-25))));
-  normal = scale(hn::Div(hn::Set(d, 1), distance), dx);
-  overlap = hn::Div(gap2, hn::Add(reach, distance));
+  const V one = hn::Set(d, 1), tiny = hn::Set(d, Real(1e-25));
+  const auto both = [&](const auto& pick) HWY_ATTR { return join<Real>(pick(0), pick(1)); };
+  reach = both([&](int h) HWY_ATTR { return s[h].reach; });
+  const V now = hn::Sqrt(hn::Max(both([&](int h) HWY_ATTR { return s[h].d2; }), tiny));
+  const V old = hn::Sqrt(hn::Max(both([&](int h) HWY_ATTR { return s[h].d2_old; }), tiny));
+  const V inverse = hn::Div(one, hn::Mul(now, old));
+  t.normal = scale(hn::Mul(inverse, old), both([&](int h) HWY_ATTR { return s[h].place; }));
+  t.normal_old = scale(hn::Mul(inverse, now), both([&](int h) HWY_ATTR { return s[h].place_old; }));
+  const V sum_now = hn::Add(reach, now), sum_old = hn::Add(reach, old);
+  const V inverse_sums = hn::Div(one, hn::Mul(sum_now, sum_old));
+  t.overlap = hn::Mul(both([&](int h) HWY_ATTR { return s[h].gap2; }),
+                      hn::Mul(inverse_sums, sum_old));
+  t.overlap_old = hn::Mul(both([&](int h) HWY_ATTR { return s[h].gap2_old; }),
+                          hn::Mul(inverse_sums, sum_now));
 }
 
 // Both partners of a full vector of pairs as the law sees them.
 template <class Real, class V = hn::Vec<Lanes<Real>>>
-HWY_INLINE TouchV<V> touch_of(const PartnerV<Real> (&a)[2], const PartnerV<Real> (&b)[2],
-                              const SeparationV<Real> (&s)[2], V& radius_i) {
+HWY_INLINE TouchV<V> touch_of(bool rolling, const PartnerV<Real> (&a)[2],
+                              const PartnerV<Real> (&b)[2], const SeparationV<Real> (&s)[2],
+                              V& radius_i) {
   const Lanes<Real> d;
   const auto both = [&](const auto& pick) HWY_ATTR { return join<Real>(pick(0), pick(1)); };
   TouchV<V> t;
-  const V reach = both([&](int h) HWY_ATTR { return s[h].reach; });
-  normal_and_overlap<Real>(both([&](int h) HWY_ATTR { return s[h].place; }),
-                           both([&](int h) HWY_ATTR { return s[h].d2; }),
-                           both([&](int h) HWY_ATTR { return s[h].gap2; }), reach, t.normal,
-                           t.overlap);
-  normal_and_overlap<Real>(both([&](int h) HWY_ATTR { return s[h].place_old; }),
-                           both([&](int h) HWY_ATTR { return s[h].d2_old; }),
-                           both([&](int h) HWY_ATTR { return s[h].gap2_old; }), reach,
-                           t.normal_old, t.overlap_old);
+  V reach;
+  set_geometry<Real>(s, t, reach);
   t.velocity = both([&](int h) HWY_ATTR { return to_real<Real>(s[h].velocity); });
   t.spin_i = both([&](int h) HWY_ATTR { return a[h].spin; });
   t.spin_j = both([&](int h) HWY_ATTR { return b[h].spin; });
@@ -100,6 +104,8 @@ HWY_INLINE TouchV<V> touch_of(const PartnerV<Real> (&a)[2], const PartnerV<Real>
   t.inverse_mass = hn::Add(mass_i, mass_j);
   t.count_rate = hn::MulAdd(count_i, mass_i, hn::Mul(count_j, mass_j));
   t.contacts = hn::Add(count_i, count_j);
+  t.rolling_radius = t.inverse_inertia = hn::Zero(d);
+  if (!rolling) return t;
   t.rolling_radius = hn::Div(hn::Mul(radius_i, radius_j), reach);
   t.inverse_inertia = hn::Mul(hn::Set(d, Real(2.5)),
                               hn::Add(hn::Div(mass_i, hn::Mul(radius_i, radius_i)),
@@ -139,6 +145,19 @@ HWY_INLINE void add_pair_rows(const ResponseV<V>& r, const Vec3V<V>& torque_i,
   add_to_rows(on_j, rows[1], tile.rows);
 }
 
+// The slots are eight streams, more than the hardware follows: they are asked for in time. What lies
+// past the end is the next tile's.
+constexpr std::size_t kSlotsAhead = 160;
+template <class Real>
+HWY_INLINE void prefetch_slots(const PairView<Real>& pairs, std::size_t at) {
+  hwy::Prefetch(pairs.i + at);
+  hwy::Prefetch(pairs.j + at);
+  for (int a = 0; a < 3; ++a) {
+    hwy::Prefetch(pairs.spring[a] + at);
+    hwy::Prefetch(pairs.force[a] + at);
+  }
+}
+
 template <class Real, bool kTally>
 HWY_INLINE void sphere_sphere_range(const StepConstants<Real>& step, const ParticleView<Real>& p,
                                     const PairView<Real>& pairs, std::size_t begin, std::size_t end,
@@ -149,9 +168,10 @@ HWY_INLINE void sphere_sphere_range(const StepConstants<Real>& step, const Parti
   const V zero = hn::Zero(d);
   TallyV sum = zero_tally();
   for (std::size_t at = begin; at < end; at += lanes) {
-    if (at + 2 * lanes < end) {
-      for (std::size_t k = 0; k < lanes; ++k) hwy::Prefetch(p.record + pairs.j[at + 2 * lanes + k]);
+    if (at + 3 * lanes < end) {
+      for (std::size_t k = 0; k < lanes; ++k) hwy::Prefetch(p.record + pairs.j[at + 3 * lanes + k]);
     }
+    prefetch_slots(pairs, at + kSlotsAhead);
     PartnerV<Real> a[2], b[2];
     SeparationV<Real> s[2];
     for (std::size_t h = 0; h < kHalves<Real>; ++h) {
@@ -172,7 +192,7 @@ HWY_INLINE void sphere_sphere_range(const StepConstants<Real>& step, const Parti
     if (hn::AllFalse(d, hn::Or(touching, hn::Gt(any_force, zero)))) continue;
 
     V radius_i;
-    const TouchV<V> t = touch_of<Real>(a, b, s, radius_i);
+    const TouchV<V> t = touch_of<Real>(step.rolling, a, b, s, radius_i);
     old.moment = {zero, zero, zero};
     if (step.rolling) old.moment = load3<V>(pairs.moment, at);
     const auto material_i = join<Real>(a[0].material, a[1].material);
