@@ -25,7 +25,7 @@ using test::RandomLaw;
 
 constexpr double kUnits = 24;
 // Three f32 vectors (8 lanes beside 8 f64 lanes) and one more.
-constexpr std::size_t kMostContacts = 3 * 8 + 1;
+constexpr std::size_t kMostContacts = 3 * kPairPad + 1 * 8 + 1;
 
 template <class Real>
 constexpr double kEps = static_cast<double>(std::numeric_limits<Real>::epsilon());
@@ -137,7 +137,7 @@ TYPED_TEST(KernelTwins, OfSphereSphereAgreeOnEveryTarget) {
       for (std::size_t count = 1; count <= kMostContacts; ++count) {
         SCOPED_TRACE(target + ", " + test::name_of(o) + ", " + std::to_string(count));
         const std::size_t slots = (count + kPairPad - 1) / kPairPad * kPairPad;
-        check_pairs<TypeParam>(o, count, count % 3 == 0 ? slots / 16 * 8 : slots, ++seed);
+        check_pairs<TypeParam>(o, count, count % 3 == 0 ? slots / (2 * kPairPad) * kPairPad : slots, ++seed);
         if (testing::Test::HasFailure()) return;
       }
     }
