@@ -47,7 +47,10 @@ void SceneCheck::name(const std::string& path, const std::string& name,
 void SceneCheck::file(const std::string& path, const std::string& file) const {
   if (file.empty() || context.trace.spoiled(path)) return;
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(std::filesystem::path(scene.folder) / file, ignored))
+  const std::filesystem::path full = std::filesystem::path(scene.folder) / file;
+  // A run's folder stands for the checkpoint in it.
+  if (!std::filesystem::is_regular_file(full, ignored) &&
+      !std::filesystem::is_regular_file(full / "checkpoint.h5", ignored))
     error(path, fmt::format("'{}': there is no file '{}' in {}", path.substr(path.rfind('.') + 1),
                             file, scene.folder));
 }

@@ -2,7 +2,7 @@
 //
 // Included once per Highway target. Contacts are handled in full vectors of Real: in `mixed` that is
 // twice as many lanes as an f64 vector has, so what needs f64 is done in two halves and joined. The
-// long chains of the law (divisions, roots) then serve twice the contacts: 1.5 times the speed.
+// long chains of the law (divisions, roots) then serve twice the contacts.
 #if defined(QUERN_KERNELS_SIMD_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef QUERN_KERNELS_SIMD_INL_H_
 #undef QUERN_KERNELS_SIMD_INL_H_
