@@ -7,15 +7,15 @@
 
 namespace quern {
 
-// A dense packing of a scene's finest class at rest on a wall, stepped with fewer and fewer steps per
-// contact. `energy` is the median kinetic energy per particle after the trial, in units of m g d.
+// A dense packing of a scene's finest class on a wall, with fewer and fewer steps per contact: does it
+// come to rest?
 struct StabilityPoint {
   double steps_per_contact = 0;
   double energy = 0;       // median kinetic energy of a particle, J
-  bool stable = false;     // at rest: energy below 1e-6 m g d, and finite
+  bool stable = false;     // came to rest: energy below 1e-9 m g d
 };
 struct StabilityTrial {
-  double limit = 0;  // fewest steps per contact that kept the packing at rest; 0: none did
+  double limit = 0;  // fewest steps per contact with which the packing came to rest; 0: none
   std::vector<StabilityPoint> points;
 };
 
@@ -26,11 +26,11 @@ struct TrialSpec {
   double from = 0, to = 0;  // m
   std::string material, wall_material;
   std::vector<double> steps_per_contact = {8, 6.5, 5.2, 4.4, 4.0, 3.6, 3.2, 2.8, 2.5, 2.2};
-  std::uint64_t steps = 4000;  // of each point
+  double patience = 1.5;  // s, how long a packing may take to come to rest
 };
 StabilityTrial measure_stability(const Scene& scene, const TrialSpec& spec);
 
-// Largest stable-looking default: finest class of the scene against its first wall.
+// The finest class of the scene against its first wall.
 TrialSpec finest_class_trial(const Scene& scene);
 
 }  // namespace quern
