@@ -206,6 +206,11 @@ void lay_out_pairs(World<Real>& world, Graph& graph, RebuildScratch<Real>& s) {
   // The old order's pair_first and pair_count, read while the new ones are written.
   std::swap(s.sorted.pair_first, world.particles.pair_first);
   std::swap(s.sorted.pair_count, world.particles.pair_count);
+  Column<Index> old_first = std::move(s.sorted.pair_first);
+  Column<Index> old_count = std::move(s.sorted.pair_count);
+  s.sorted.release();
+  s.sorted.pair_first = std::move(old_first);
+  s.sorted.pair_count = std::move(old_count);
   graph.for_each(tiles, [&](std::size_t tile, int) { fill_slots(world, s, tile); });
   std::swap(world.pairs, s.pairs);
 }
@@ -317,7 +322,14 @@ void rebuild(World<Real>& world, Graph& graph, RebuildScratch<Real>& s) {
     if (!world.bodies.empty()) find_wall_candidates(world, s, tile);
   });
   import_pairs(world, s);
+  // A rebuild is rare and its scratch is as large as the state: it's given back, in time for the slots.
+  s.grid = SearchGrid();
+  std::vector<SearchPoint>().swap(s.points);
   lay_out_pairs(world, graph, s);
+  s.sorted.release();
+  s.pairs = PairBatch<Real>();
+  std::vector<std::vector<CandidatePair>>().swap(s.own);
+  std::vector<std::vector<CandidatePair>>().swap(s.imported);
   world.clock.list_step = world.clock.total_steps;
   world.clock.list_stale = 0;
   ++world.clock.rebuilds;

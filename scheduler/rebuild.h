@@ -13,7 +13,7 @@
 
 namespace quern {
 
-// Buffers kept between rebuilds.
+// Working memory of a rebuild; most of it is given back at its end.
 template <class Real>
 struct RebuildScratch {
   std::vector<std::pair<std::uint64_t, Index>> keys;

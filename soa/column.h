@@ -59,6 +59,11 @@ class ColumnBase {
   void* raw() { return bytes_; }
   const void* raw() const { return bytes_; }
 
+  void release() {
+    std::free(bytes_);
+    bytes_ = nullptr;
+    size_ = capacity_ = 0;
+  }
   // Makes room for n elements; contents are undefined (and untouched if memory had to grow).
   void reset(std::size_t n) {
     if (n + kColumnPad > capacity_ || bytes_ == nullptr) {

@@ -33,6 +33,11 @@ struct Particles {
 #undef QUERN_RESIZE
     reset_next();
   }
+  void release() {
+#define QUERN_RELEASE(type, name, unit, doc) name.release();
+    QUERN_PARTICLE_FIELDS(QUERN_RELEASE)
+#undef QUERN_RELEASE
+  }
   void reset_next() {
     record_next.reset(record.size());
     tag_next.reset(record.size());

@@ -48,13 +48,14 @@ class Run {
     const bool fills = checkpoint.empty() && scene.run.start == StartKind::kFill;
     const bool rains = scene.run.start == StartKind::kFill && inserted_later(scene);
     if (fills) depth = fill(geometry);
-    std::vector<ParticleSeed> present;
+    std::vector<ParticleSeed> early;  // of a scene with rain: those there from the start
     for (const ParticleSeed& p : loaded_.seeds) {
-      if (!rains || is_explicit(scene, p)) present.push_back(p);
+      if (rains && is_explicit(scene, p)) early.push_back(p);
       smallest_ = std::min(smallest_, p.radius);
       scene_mass_ += scene.materials[p.material].density * sphere_volume(p.radius);
     }
-    world_ = make_world<Real>(scene, std::move(geometry), loaded_.seeds, present);
+    world_ = make_world<Real>(scene, std::move(geometry), loaded_.seeds,
+                              rains ? early : loaded_.seeds);
     if (rains) {
       rain_ = std::make_unique<Rain>(scene, bodies_of(world_), loaded_.seeds);
     } else {
