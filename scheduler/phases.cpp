@@ -80,7 +80,6 @@ void enter_phase(World<Real>& world, const Scene& scene, const std::vector<Phase
                  std::size_t row) {
   const PhasePlan& phase = plan.at(row);
   Clock& clock = world.clock;
-  world.stiffness_factor = phase.stiffness;
   set_stiffness(world, scene, phase.stiffness);
   world.drag = std::exp(-phase.drag * phase.dt);
   world.moving_walls = phase.kind == Phase::kRun;

@@ -87,7 +87,6 @@ struct Window {
   double translational = 0, rotational = 0, elastic = 0;
   double pair_contacts = 0, wall_contacts = 0, max_overlap = 0, warnings = 0;
   std::array<double, 3> moment_of_mass{};
-  double dissipated = 0;
 };
 
 enum class Phase : std::uint32_t { kSoft, kStiffen, kSettle, kRun };
@@ -123,7 +122,6 @@ struct World {
   std::vector<Wall> walls;
   std::vector<Body> bodies;
   double total_mass = 0;
-  double stiffness_factor = 1;  // of the soft phase
   double drag = 1;              // velocity factor of the soft phase
 
   // State.

@@ -16,14 +16,6 @@ namespace {
 constexpr double kRadius = 1.0 / 128, kGravity = 9.81, kDt = 1e-6;
 const double kMass = sphere_mass(2 * kRadius);
 
-struct Names {
-  template <class Real>
-  static std::string GetName(int) {
-    return sizeof(Real) == 4 ? "mixed" : "double";
-  }
-};
-using Precisions = testing::Types<float, double>;
-
 template <class Real>
 class Friction : public testing::Test {};
 TYPED_TEST_SUITE(Friction, Precisions, Names);

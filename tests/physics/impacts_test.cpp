@@ -76,13 +76,6 @@ constexpr double kLimit = 5e-3;  // of v0
 
 template <class Real>
 class Impacts : public testing::Test {};
-struct Names {
-  template <class Real>
-  static std::string GetName(int) {
-    return sizeof(Real) == 4 ? "mixed" : "double";
-  }
-};
-using Precisions = testing::Types<float, double>;
 TYPED_TEST_SUITE(Impacts, Precisions, Names);
 
 TYPED_TEST(Impacts, OnAPlaneReboundAsInLammps) {

@@ -18,13 +18,6 @@ namespace {
 
 constexpr double kRadius = 1.0 / 128;
 
-struct Names {
-  template <class Real>
-  static std::string GetName(int) {
-    return sizeof(Real) == 4 ? "mixed" : "double";
-  }
-};
-using Precisions = testing::Types<float, double>;
 template <class Real>
 class Account : public testing::Test {};
 TYPED_TEST_SUITE(Account, Precisions, Names);

@@ -115,13 +115,6 @@ class Restitution : public testing::Test {
  protected:
   static constexpr bool kMixed = sizeof(Real) == 4;
 };
-struct Names {
-  template <class Real>
-  static std::string GetName(int) {
-    return sizeof(Real) == 4 ? "mixed" : "double";
-  }
-};
-using Precisions = testing::Types<float, double>;
 TYPED_TEST_SUITE(Restitution, Precisions, Names);
 
 constexpr std::array<double, 5> kAsked = {0.3, 0.5, 0.65, 0.8, 0.9};

@@ -2,9 +2,9 @@
 //
 // The measured limits of the damping scheme (kernels/README.md): packings of 15-25 mm and of 15 mm
 // only, with tangential damping and without. An independent small code found 2.8 and 2.6 for the
-// mix, 4.0 and 3.8 for equal spheres, in steps of about a tenth; the trial looks at a coarser row of
-// steps, so a limit may be met one entry later. What a run at 4.4 steps relies on is checked: all
-// four packings come to rest there.
+// mix, 4.0 and 3.8 for equal spheres, in steps of about a tenth; the trial looks at a coarser row
+// of steps, so a limit may be met one entry later. What a run at 4.4 steps relies on is checked:
+// all four packings come to rest there.
 #include <gtest/gtest.h>
 
 #include <cstdio>

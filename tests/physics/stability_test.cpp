@@ -81,13 +81,6 @@ Scene box_of_ore(double from, double to, long count) {
   return scene;
 }
 
-struct Names {
-  template <class Real>
-  static std::string GetName(int) {
-    return sizeof(Real) == 4 ? "mixed" : "double";
-  }
-};
-using Precisions = testing::Types<float, double>;
 template <class Real>
 class PackingAtRest : public testing::Test {};
 TYPED_TEST_SUITE(PackingAtRest, Precisions, Names);

@@ -16,13 +16,6 @@ namespace {
 
 constexpr double kRadius = 1.0 / 128, kGravity = 9.81;
 
-struct Names {
-  template <class Real>
-  static std::string GetName(int) {
-    return sizeof(Real) == 4 ? "mixed" : "double";
-  }
-};
-using Precisions = testing::Types<float, double>;
 template <class Real>
 class Walls : public testing::Test {};
 TYPED_TEST_SUITE(Walls, Precisions, Names);

@@ -88,4 +88,13 @@ void run_steps(World<Real>& world, Stepper<Real>& stepper, int steps) {
   }
 }
 
+// Typed tests run in both precisions, by name.
+struct Names {
+  template <class Real>
+  static std::string GetName(int) {
+    return sizeof(Real) == 4 ? "mixed" : "double";
+  }
+};
+using Precisions = testing::Types<float, double>;
+
 }  // namespace quern::test

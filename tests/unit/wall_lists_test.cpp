@@ -74,7 +74,8 @@ struct Flight {
       r.y = start[k].y + world.time() * start[k].vy + off.y();
       r.z = start[k].z + world.time() * start[k].vz + off.z();
     }
-    for (const std::string& fault : missed_contacts(world)) ADD_FAILURE() << fault;
+    ASSERT_EQ(world.clock.list_stale, 0u) << "stale lists would not be looked at";
+    EXPECT_EQ(missed_contacts(world), std::vector<std::string>());
   }
 };
 
