@@ -13,6 +13,7 @@
 
 #include "soa/base.h"
 #include "soa/motion.h"
+#include "soa/pairs.h"
 #include "soa/record.h"
 
 namespace quern {
@@ -51,18 +52,15 @@ struct ParticleView {
   const std::uint32_t* tag;
 };
 
-// One tile's slice of a pair batch. `own` slots come first, then those imported from other tiles;
-// both parts are padded to whole kPairPad slots with i == j.
+// One tile's slice of a pair batch, see soa/pairs.h; blocks from `own` on are imported ones.
 template <class Real>
 struct PairView {
-  const Index* i;
-  const Index* j;
-  Real* spring[3];  // m, tangential spring xi
-  Real* force[3];   // N, force on i in the last step
-  Real* moment[3];  // N m, rolling moment on i in the last step; null without rolling friction
-  std::size_t own, all;  // slots
+  const Index* owner;      // kPairPad a block
+  const Index* row_begin;  // blocks + 1, into the rows of the batch
+  const Index* partner;    // kPairPad a row
+  Real* numbers;           // history; see soa/pairs.h
+  std::size_t own, all;    // blocks
 };
-inline constexpr std::size_t kPairPad = 16;  // the widest vector of f32
 
 // Sums over the contacts of a tile in one step, and the worst overlap found.
 struct ContactTally {

@@ -110,6 +110,7 @@ HWY_INLINE PartnerV<Real> load_partner(const ParticleView<Real>& p, const Index*
   return out;
 }
 
+// Vectors of three: as three columns, or as three runs `stride` numbers apart.
 template <class V>
 HWY_INLINE Vec3V<V> load3(hn::TFromV<V>* const (&from)[3], std::size_t at) {
   const hn::DFromV<V> d;
@@ -121,6 +122,18 @@ HWY_INLINE void store3(const Vec3V<V>& v, hn::TFromV<V>* const (&to)[3], std::si
   hn::StoreU(v.x, d, to[0] + at);
   hn::StoreU(v.y, d, to[1] + at);
   hn::StoreU(v.z, d, to[2] + at);
+}
+template <class V>
+HWY_INLINE Vec3V<V> load3(const hn::TFromV<V>* from, std::size_t stride) {
+  const hn::DFromV<V> d;
+  return {hn::LoadU(d, from), hn::LoadU(d, from + stride), hn::LoadU(d, from + 2 * stride)};
+}
+template <class V>
+HWY_INLINE void store3(const Vec3V<V>& v, hn::TFromV<V>* to, std::size_t stride) {
+  const hn::DFromV<V> d;
+  hn::StoreU(v.x, d, to);
+  hn::StoreU(v.y, d, to + stride);
+  hn::StoreU(v.z, d, to + 2 * stride);
 }
 
 // Indices as signed lanes that go with full vectors of Real.

@@ -16,7 +16,10 @@ constexpr std::size_t kMostLines = 20;
 
 std::uint64_t key_of(Index i, Index j) { return std::uint64_t{i} << 32 | j; }
 
-using SlotOfPair = std::unordered_map<std::uint64_t, Index>;
+struct ListedPair {
+  Index i, j, slot;
+};
+using SlotOfPair = std::unordered_map<std::uint64_t, ListedPair>;
 
 // Slots of one tile by pair; `own` or imported part.
 struct TileSlots {
@@ -29,10 +32,12 @@ std::vector<TileSlots> slots_of_tiles(const World<Real>& world) {
   const PairBatch<Real>& pairs = world.pairs;
   std::vector<TileSlots> tiles(world.tiles());
   for (std::size_t t = 0; t < tiles.size(); ++t) {
-    for (Index k = pairs.begin[t]; k < pairs.begin[t + 1]; ++k) {
-      if (pairs.i[k] == pairs.j[k]) continue;
-      SlotOfPair& to = k < pairs.own_end[t] ? tiles[t].own : tiles[t].imported;
-      if (!to.emplace(key_of(pairs.i[k], pairs.j[k]), k).second) tiles[t].repeats = true;
+    for (const auto part : {PairBatch<Real>::Part::kOwn, PairBatch<Real>::Part::kImported}) {
+      SlotOfPair& to = part == PairBatch<Real>::Part::kOwn ? tiles[t].own : tiles[t].imported;
+      pairs.for_each(t, part, [&](std::size_t slot, Index i, Index j) {
+        const ListedPair pair = {i, j, static_cast<Index>(slot)};
+        if (!to.emplace(key_of(i, j), pair).second) tiles[t].repeats = true;
+      });
     }
   }
   return tiles;
@@ -214,8 +219,8 @@ std::vector<std::string> unequal_twins(const World<Real>& world) {
   for (std::size_t t = 0; t < tiles.size(); ++t) {
     if (tiles[t].repeats) faults.push_back("tile " + std::to_string(t) + " lists a pair twice");
     imported += tiles[t].imported.size();
-    for (const auto& [key, slot] : tiles[t].own) {
-      const Index i = pairs.i[slot], j = pairs.j[slot];
+    for (const auto& [key, pair] : tiles[t].own) {
+      const auto& [i, j, slot] = pair;
       const std::size_t other = j / world.tile_size;
       if (other == t) continue;
       ++cross;
@@ -225,10 +230,8 @@ std::vector<std::string> unequal_twins(const World<Real>& world) {
         continue;
       }
       bool equal = true;
-      for (std::size_t a = 0; a < 3; ++a) {
-        equal = equal && pairs.spring[a][slot] == pairs.spring[a][twin->second] &&
-                pairs.force[a][slot] == pairs.force[a][twin->second];
-        if (pairs.rolling) equal = equal && pairs.moment[a][slot] == pairs.moment[a][twin->second];
+      for (std::size_t k = 0; k < pairs.history(); ++k) {
+        equal = equal && pairs.number(slot, k) == pairs.number(twin->second.slot, k);
       }
       if (!equal) faults.push_back(name_of_pair(world, i, j) + ": the copies differ");
     }
@@ -244,16 +247,16 @@ Vec3 sum_of_pair_forces(const World<Real>& world) {
   const std::vector<TileSlots> tiles = slots_of_tiles(world);
   Vec3 sum = Vec3::Zero();
   for (std::size_t t = 0; t < tiles.size(); ++t) {
-    for (const auto& [key, slot] : tiles[t].own) {
-      const std::size_t other = pairs.j[slot] / world.tile_size;
-      Index twin = slot;
+    for (const auto& [key, pair] : tiles[t].own) {
+      const std::size_t other = pair.j / world.tile_size;
+      Index twin = pair.slot;
       if (other != t) {
         const auto found = tiles[other].imported.find(key);
-        twin = found == tiles[other].imported.end() ? kNoIndex : found->second;
+        twin = found == tiles[other].imported.end() ? kNoIndex : found->second.slot;
       }
       for (std::size_t a = 0; a < 3; ++a) {
-        const double on_i = static_cast<double>(pairs.force[a][slot]);
-        const double on_j = twin == kNoIndex ? 0 : -static_cast<double>(pairs.force[a][twin]);
+        const double on_i = static_cast<double>(pairs.number(pair.slot, 3 + a));
+        const double on_j = twin == kNoIndex ? 0 : -static_cast<double>(pairs.number(twin, 3 + a));
         sum[static_cast<Eigen::Index>(a)] += on_i + on_j;
       }
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "kernels/contact.h"
 
@@ -11,6 +12,8 @@ namespace {
 
 constexpr std::uint64_t kShortestWindow = 4, kLongestWindow = 4000;
 constexpr std::uint64_t kShortLife = 25, kLongLife = 60;  // steps
+// A big ball has hundreds of small partners in other tiles: it takes several lanes.
+constexpr Index kLongestImport = 12;
 constexpr std::size_t kChunk = 4096;  // particles per task where order does not matter
 
 std::uint64_t spread_bits(std::uint64_t v) {
@@ -127,8 +130,6 @@ SearchInput search_input(const World<Real>& world, RebuildScratch<Real>& s) {
   return in;
 }
 
-std::size_t padded(std::size_t n) { return (n + kPairPad - 1) / kPairPad * kPairPad; }
-
 // Hands each tile the pairs that other tiles own with it, in order of owner tile.
 template <class Real>
 void import_pairs(const World<Real>& world, RebuildScratch<Real>& s) {
@@ -141,68 +142,120 @@ void import_pairs(const World<Real>& world, RebuildScratch<Real>& s) {
   }
 }
 
-// Slot of the pair (i, j) in the old batch, or kNoIndex. Own slots are sorted by partner identity
-// of the old order; there are a few per particle.
+// Gap of two particles where they are now, nearest image; decides the order of an owner's partners.
+double gap_of(const SearchInput& in, Index i, Index j) {
+  const SearchPoint &a = in.point[i], &b = in.point[j];
+  double d2 = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    double dx = a.x[k] - b.x[k];
+    if (in.box.period[k] > 0) dx -= in.box.period[k] * std::nearbyint(dx / in.box.period[k]);
+    d2 += dx * dx;
+  }
+  return std::sqrt(d2) - a.radius - b.radius;
+}
+
+// Groups pairs by their owner: partners nearest first, so that the rows of a block either touch in
+// most lanes or in none; owners of many partners first, so that few lanes are empty.
+template <bool kOwn>
+void arrange(const SearchInput& in, std::span<const CandidatePair> pairs, Index first,
+             BlockPlan& plan) {
+  plan.partners.clear();
+  plan.lanes.clear();
+  const auto owner_of = [](const CandidatePair& p) { return kOwn ? p.i : p.j; };
+  Index last = first;
+  for (const CandidatePair& p : pairs) last = std::max(last, owner_of(p) + 1);
+  std::vector<Index> begin(last - first + 1, 0);
+  for (const CandidatePair& p : pairs) ++begin[owner_of(p) - first + 1];
+  for (std::size_t k = 1; k < begin.size(); ++k) begin[k] += begin[k - 1];
+  std::vector<std::pair<double, Index>> partner(pairs.size());
+  std::vector<Index> end(begin);
+  for (const CandidatePair& p : pairs) {
+    partner[end[owner_of(p) - first]++] = {gap_of(in, p.i, p.j), kOwn ? p.j : p.i};
+  }
+  for (std::size_t k = 0; k + 1 < begin.size(); ++k) {
+    std::sort(partner.begin() + begin[k], partner.begin() + begin[k + 1]);
+    const Index most = kOwn ? kNoIndex : kLongestImport;
+    for (Index from = begin[k]; from < begin[k + 1];) {
+      const Index count = std::min(begin[k + 1] - from, most);
+      plan.lanes.push_back({first + static_cast<Index>(k), from, count});
+      from += count;
+    }
+  }
+  for (const auto& p : partner) plan.partners.push_back(p.second);
+  std::stable_sort(plan.lanes.begin(), plan.lanes.end(),
+                   [](const auto& a, const auto& b) { return a.count > b.count; });
+}
+
+// Slot of the pair (i, j) in the old batch, or kNoIndex; an owner's slots are kPairPad apart.
 template <class Real>
 Index old_slot(const PairBatch<Real>& old, Index first, Index count, Index partner) {
-  for (Index k = first; k < first + count; ++k) {
-    if (old.j[k] == partner) return k;
+  for (Index k = 0; k < count; ++k) {
+    const Index slot = first + k * static_cast<Index>(kPairPad);
+    if (old.partner[slot] == partner) return slot;
   }
   return kNoIndex;
 }
 
-template <class Real>
-void fill_slots(World<Real>& world, RebuildScratch<Real>& s, std::size_t tile) {
+// Fills the blocks of one part of a tile and carries the history of their contacts over.
+template <class Real, bool kOwn>
+void fill_blocks(World<Real>& world, RebuildScratch<Real>& s, const BlockPlan& plan, Index block) {
   PairBatch<Real>& fresh = s.pairs;
   const PairBatch<Real>& old = world.pairs;
   Particles<Real>& p = world.particles;
-  const auto put = [&](std::size_t slot, Index i, Index j, Index from) {
-    fresh.i[slot] = i;
-    fresh.j[slot] = j;
-    for (std::size_t a = 0; a < 3; ++a) {
-      fresh.spring[a][slot] = from == kNoIndex ? Real(0) : old.spring[a][from];
-      fresh.force[a][slot] = from == kNoIndex ? Real(0) : old.force[a][from];
-      if (fresh.rolling) fresh.moment[a][slot] = from == kNoIndex ? Real(0) : old.moment[a][from];
+  const std::size_t history = fresh.history();
+  for (std::size_t at = 0; at < plan.lanes.size(); at += kPairPad, ++block) {
+    const std::size_t first_row = fresh.row_begin[block], rows = plan.lanes[at].count;
+    for (std::size_t lane = 0; lane < kPairPad; ++lane) {
+      const bool empty = at + lane >= plan.lanes.size();
+      const BlockPlan::Lane from = plan.lanes[empty ? at : at + lane];
+      fresh.owner[block * kPairPad + lane] = from.owner;
+      if (kOwn && !empty) {
+        p.pair_first[from.owner] = static_cast<Index>(first_row * kPairPad + lane);
+        p.pair_count[from.owner] = from.count;
+      }
+      for (std::size_t row = 0; row < rows; ++row) {
+        const std::size_t slot = (first_row + row) * kPairPad + lane;
+        Index partner = from.owner, was = kNoIndex;
+        if (!empty && row < from.count) {
+          partner = plan.partners[from.begin + row];
+          const Index i = kOwn ? from.owner : partner, j = kOwn ? partner : from.owner;
+          was = old_slot(old, s.sorted.pair_first[i], s.sorted.pair_count[i], s.old_of_new[j]);
+        }
+        fresh.partner[slot] = partner;
+        for (std::size_t k = 0; k < history; ++k) {
+          fresh.number(slot, k) = was == kNoIndex ? Real(0) : old.number(was, k);
+        }
+      }
     }
-  };
-  std::size_t slot = fresh.begin[tile];
-  const auto part = [&](const std::vector<CandidatePair>& pairs, std::size_t end) {
-    for (const CandidatePair& pair : pairs) {
-      const Index was = s.old_of_new[pair.j];
-      put(slot++, pair.i, pair.j,
-          old_slot(old, s.sorted.pair_first[pair.i], s.sorted.pair_count[pair.i], was));
-    }
-    const Index idle = static_cast<Index>(tile * world.tile_size);
-    while (slot < end) put(slot++, idle, idle, kNoIndex);
-  };
-  part(s.own[tile], fresh.own_end[tile]);
-  part(s.imported[tile], fresh.begin[tile + 1]);
-  const std::size_t last = std::min<std::size_t>(p.size(), (tile + 1) * world.tile_size);
-  Index at = fresh.begin[tile];
-  std::size_t k = 0;
-  for (std::size_t i = tile * world.tile_size; i < last; ++i) {
-    p.pair_first[i] = at;
-    while (k < s.own[tile].size() && s.own[tile][k].i == i) ++k, ++at;
-    p.pair_count[i] = at - p.pair_first[i];
   }
 }
 
 template <class Real>
 void lay_out_pairs(World<Real>& world, Graph& graph, RebuildScratch<Real>& s) {
   const std::size_t tiles = world.tiles();
-  s.pairs.rolling = world.rolling;
-  s.pairs.begin.reset(tiles + 1);
-  s.pairs.own_end.reset(tiles);
-  std::size_t slot = 0;
+  PairBatch<Real>& fresh = s.pairs;
+  fresh.rolling = world.rolling;
+  fresh.begin.reset(tiles + 1);
+  fresh.own_end.reset(tiles);
+  std::vector<Index> row_begin;
+  std::size_t rows = 0;
+  const auto add_blocks = [&](const BlockPlan& plan) {
+    for (std::size_t at = 0; at < plan.lanes.size(); at += kPairPad) {
+      row_begin.push_back(static_cast<Index>(rows));
+      rows += plan.lanes[at].count;
+    }
+  };
   for (std::size_t tile = 0; tile < tiles; ++tile) {
-    s.pairs.begin[tile] = static_cast<Index>(slot);
-    slot += padded(s.own[tile].size());
-    s.pairs.own_end[tile] = static_cast<Index>(slot);
-    slot += padded(s.imported[tile].size());
+    fresh.begin[tile] = static_cast<Index>(row_begin.size());
+    add_blocks(s.own_plan[tile]);
+    fresh.own_end[tile] = static_cast<Index>(row_begin.size());
+    add_blocks(s.imported_plan[tile]);
   }
-  QUERN_CHECK(slot < kNoIndex);
-  s.pairs.begin[tiles] = static_cast<Index>(slot);
-  s.pairs.reset(slot);
+  QUERN_CHECK(rows * kPairPad < kNoIndex);
+  fresh.begin[tiles] = static_cast<Index>(row_begin.size());
+  fresh.reset(row_begin.size(), rows);
+  row_begin.push_back(static_cast<Index>(rows));
+  std::copy(row_begin.begin(), row_begin.end(), fresh.row_begin.begin());
   // The old order's pair_first and pair_count, read while the new ones are written.
   std::swap(s.sorted.pair_first, world.particles.pair_first);
   std::swap(s.sorted.pair_count, world.particles.pair_count);
@@ -211,7 +264,12 @@ void lay_out_pairs(World<Real>& world, Graph& graph, RebuildScratch<Real>& s) {
   s.sorted.release();
   s.sorted.pair_first = std::move(old_first);
   s.sorted.pair_count = std::move(old_count);
-  graph.for_each(tiles, [&](std::size_t tile, int) { fill_slots(world, s, tile); });
+  world.particles.pair_first.fill(0);
+  world.particles.pair_count.fill(0);
+  graph.for_each(tiles, [&](std::size_t tile, int) {
+    fill_blocks<Real, true>(world, s, s.own_plan[tile], fresh.begin[tile]);
+    fill_blocks<Real, false>(world, s, s.imported_plan[tile], fresh.own_end[tile]);
+  });
   std::swap(world.pairs, s.pairs);
 }
 
@@ -322,14 +380,23 @@ void rebuild(World<Real>& world, Graph& graph, RebuildScratch<Real>& s) {
     if (!world.bodies.empty()) find_wall_candidates(world, s, tile);
   });
   import_pairs(world, s);
+  s.own_plan.resize(tiles);
+  s.imported_plan.resize(tiles);
+  graph.for_each(tiles, [&](std::size_t tile, int) {
+    const Index first = static_cast<Index>(tile * world.tile_size);
+    arrange<true>(in, s.own[tile], first, s.own_plan[tile]);
+    arrange<false>(in, s.imported[tile], first, s.imported_plan[tile]);
+  });
+  std::vector<std::vector<CandidatePair>>().swap(s.own);
+  std::vector<std::vector<CandidatePair>>().swap(s.imported);
   // A rebuild is rare and its scratch is as large as the state: it's given back, in time for the slots.
   s.grid = SearchGrid();
   std::vector<SearchPoint>().swap(s.points);
   lay_out_pairs(world, graph, s);
   s.sorted.release();
   s.pairs = PairBatch<Real>();
-  std::vector<std::vector<CandidatePair>>().swap(s.own);
-  std::vector<std::vector<CandidatePair>>().swap(s.imported);
+  std::vector<BlockPlan>().swap(s.own_plan);
+  std::vector<BlockPlan>().swap(s.imported_plan);
   world.clock.list_step = world.clock.total_steps;
   world.clock.list_stale = 0;
   ++world.clock.rebuilds;

@@ -13,6 +13,15 @@
 
 namespace quern {
 
+// The blocks of one part of a tile before they are laid out: lanes in order, 16 to a block.
+struct BlockPlan {
+  struct Lane {
+    Index owner, begin, count;  // its partners: partners[begin .. begin + count)
+  };
+  std::vector<Index> partners;
+  std::vector<Lane> lanes;
+};
+
 // Working memory of a rebuild; most of it is given back at its end.
 template <class Real>
 struct RebuildScratch {
@@ -22,6 +31,7 @@ struct RebuildScratch {
   SearchGrid grid;
   std::vector<std::vector<CandidatePair>> own;       // per tile
   std::vector<std::vector<CandidatePair>> imported;  // per tile
+  std::vector<BlockPlan> own_plan, imported_plan;    // per tile
   Particles<Real> sorted;
   PairBatch<Real> pairs;
 };

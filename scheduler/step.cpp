@@ -100,16 +100,12 @@ void Stepper<Real>::run_tile(std::size_t tile, int worker) {
 
   PairBatch<Real>& pairs = world_.pairs;
   const std::size_t begin = pairs.begin[tile];
-  PairView<Real> view{};
-  view.i = pairs.i.data() + begin;
-  view.j = pairs.j.data() + begin;
-  for (std::size_t a = 0; a < 3; ++a) {
-    view.spring[a] = pairs.spring[a].data() + begin;
-    view.force[a] = pairs.force[a].data() + begin;
-    view.moment[a] = pairs.rolling ? pairs.moment[a].data() + begin : nullptr;
-  }
-  view.own = pairs.own_end[tile] - begin;
-  view.all = pairs.begin[tile + 1] - begin;
+  const PairView<Real> view = {pairs.owner.data() + begin * kPairPad,
+                               pairs.row_begin.data() + begin,
+                               pairs.partner.data(),
+                               pairs.numbers.data(),
+                               pairs.own_end[tile] - begin,
+                               pairs.begin[tile + 1] - begin};
   kernels_.pairs(constants_, {p.record.data(), p.inverse_mass.data(), p.tag.data()}, view, rows,
                  totals.pairs);
 
@@ -294,10 +290,7 @@ Offender find_offender(const World<Real>& world, std::uint32_t bits) {
     if (bad && p.id[k] < found.id) set(k);
   }
   if (found.id != kNoIndex || (bits & kDeepOverlap) == 0) return found;
-  const PairBatch<Real>& pairs = world.pairs;
-  for (std::size_t k = 0; k < pairs.i.size(); ++k) {
-    const Index i = pairs.i[k], j = pairs.j[k];
-    if (i == j) continue;
+  const auto look_at = [&](std::size_t, Index i, Index j) {
     const Record<Real>&a = p.record[i], &b = p.record[j];
     double dx[3] = {a.x - b.x, a.y - b.y, a.z - b.z};
     for (int e = 0; e < 3; ++e) {
@@ -307,10 +300,13 @@ Offender find_offender(const World<Real>& world, std::uint32_t bits) {
     }
     const double overlap = static_cast<double>(a.radius) + static_cast<double>(b.radius) -
                            std::sqrt(dx[0] * dx[0] + dx[1] * dx[1] + dx[2] * dx[2]);
-    if (overlap / static_cast<double>(a.radius) <= found.overlap) continue;
+    if (overlap / static_cast<double>(a.radius) <= found.overlap) return;
     set(i);
     found.partner = p.id[j];
     found.overlap = overlap / static_cast<double>(a.radius);
+  };
+  for (std::size_t t = 0; t < world.tiles(); ++t) {
+    world.pairs.for_each(t, PairBatch<Real>::Part::kOwn, look_at);
   }
   for (const TileWalls& t : world.tile_walls) {
     for (const WallSpring& s : t.springs) {

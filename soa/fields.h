@@ -21,5 +21,5 @@
   X(float, list_vx, "m/s", "velocity the lists were built with")                               \
   X(float, list_vy, "m/s", "velocity the lists were built with")                               \
   X(float, list_vz, "m/s", "velocity the lists were built with")                               \
-  X(Index, pair_first, "1", "first own slot in the pair batch")                                \
+  X(Index, pair_first, "1", "first own slot in the pair batch; the others follow 16 apart")                                \
   X(Index, pair_count, "1", "own slots in the pair batch")

@@ -51,22 +51,18 @@ void add_particles(const World<Real>& world, Hasher& h) {
 template <class Real>
 void add_pairs(const World<Real>& world, Hasher& h) {
   const PairBatch<Real>& pairs = world.pairs;
+  using Part = typename PairBatch<Real>::Part;
   std::vector<Key> keys;
   for (std::size_t tile = 0; tile + 1 < pairs.begin.size(); ++tile) {
-    for (Index k = pairs.begin[tile]; k < pairs.own_end[tile]; ++k) {
-      bool open = false;
-      for (int a = 0; a < 3; ++a) open = open || pairs.force[a][k] != 0 || pairs.spring[a][k] != 0;
-      if (open) keys.push_back({world.particles.id[pairs.i[k]], world.particles.id[pairs.j[k]], k, 0});
-    }
+    pairs.for_each(tile, Part::kOwn, [&](std::size_t slot, Index i, Index j) {
+      if (!pairs.is_open(slot)) return;
+      keys.push_back({world.particles.id[i], world.particles.id[j], static_cast<Index>(slot), 0});
+    });
   }
   std::sort(keys.begin(), keys.end());
   for (const Key& key : keys) {
     h.add(key.a << 32 | key.b);
-    for (int a = 0; a < 3; ++a) {
-      h.add(pairs.spring[a][key.slot]);
-      h.add(pairs.force[a][key.slot]);
-      if (pairs.rolling) h.add(pairs.moment[a][key.slot]);
-    }
+    for (std::size_t k = 0; k < pairs.history(); ++k) h.add(pairs.number(key.slot, k));
   }
 }
 

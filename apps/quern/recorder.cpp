@@ -181,7 +181,7 @@ void Recorder::write_summary(World<Real>& world, const RunFigures& figures) {
   s.set("overlap_warnings", figures.warnings);
   s.set("rebuilds", world.clock.rebuilds);
   s.set("list_slack_m", world.clock.slack);
-  s.set("listed_pairs_per_particle", static_cast<double>(world.pairs.i.size()) / n);
+  s.set("listed_pairs_per_particle", static_cast<double>(world.pairs.slots()) / n);
   s.set("total_mass_kg", world.total_mass);
   s.set("state_hash", fmt::format("{:016x}", state_hash(world)));
   s.set("peak_memory_B", peak_memory());

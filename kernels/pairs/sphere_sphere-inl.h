@@ -113,119 +113,157 @@ HWY_INLINE TouchV<V> touch_of(bool rolling, const PartnerV<Real> (&a)[2],
   return t;
 }
 
-// Equal and opposite, added in f64 to the rows of this tile; other tiles' partners to the last row.
-template <class Real, std::size_t half, class V>
-HWY_INLINE void add_pair_rows(const ResponseV<V>& r, const Vec3V<V>& torque_i,
-                              const Vec3V<V>& torque_j, V one, const Index* i, const Index* j,
-                              const TileRows& tile) {
-  const D64 d;
-  const auto f64 = [](V v) HWY_ATTR { return half_f64<Real, half>(v); };
-  const auto first = hn::Set(D32U(), tile.first), size = hn::Set(D32U(), tile.size);
-  HWY_ALIGN Index rows[2][16];
-  hn::StoreU(hn::Min(hn::Sub(hn::LoadU(D32U(), i), first), size), D32U(), rows[0]);
-  hn::StoreU(hn::Min(hn::Sub(hn::LoadU(D32U(), j), first), size), D32U(), rows[1]);
-  const auto fx = f64(r.force.x), fy = f64(r.force.y), fz = f64(r.force.z), count = f64(one);
-  const hn::Vec<D64> on_i[8] = {fx,
-                                fy,
-                                fz,
-                                f64(torque_i.x),
-                                f64(torque_i.y),
-                                f64(torque_i.z),
-                                count,
-                                hn::Zero(d)};
-  add_to_rows(on_i, rows[0], tile.rows);
-  const hn::Vec<D64> on_j[8] = {hn::Neg(fx),
-                                hn::Neg(fy),
-                                hn::Neg(fz),
-                                f64(torque_j.x),
-                                f64(torque_j.y),
-                                f64(torque_j.z),
-                                count,
-                                hn::Zero(d)};
-  add_to_rows(on_j, rows[1], tile.rows);
-}
-
-// The slots are eight streams, more than the hardware follows: they are asked for in time. What lies
-// past the end is the next tile's.
-constexpr std::size_t kSlotsAhead = 160;
+// Sums of the owners of a block over its rows: fx fy fz tx ty tz contacts, f64.
 template <class Real>
-HWY_INLINE void prefetch_slots(const PairView<Real>& pairs, std::size_t at) {
-  hwy::Prefetch(pairs.i + at);
-  hwy::Prefetch(pairs.j + at);
-  for (int a = 0; a < 3; ++a) {
-    hwy::Prefetch(pairs.spring[a] + at);
-    hwy::Prefetch(pairs.force[a] + at);
-  }
+struct OwnerSums {
+  hn::Vec<D64> sum[kHalves<Real>][7];
+};
+template <class Real, std::size_t half, class V>
+HWY_INLINE void add_to_owner(const Vec3V<V>& force, const Vec3V<V>& torque, V one,
+                             OwnerSums<Real>& to) {
+  auto& sum = to.sum[half];
+  const V from[7] = {force.x, force.y, force.z, torque.x, torque.y, torque.z, one};
+  for (int k = 0; k < 7; ++k) sum[k] = hn::Add(sum[k], half_f64<Real, half>(from[k]));
 }
 
-template <class Real, bool kTally>
-HWY_INLINE void sphere_sphere_range(const StepConstants<Real>& step, const ParticleView<Real>& p,
-                                    const PairView<Real>& pairs, std::size_t begin, std::size_t end,
-                                    const TileRows& tile, ContactTally& tally) {
+// Row of each particle in the tile's accumulator; other tiles' particles take the last row.
+HWY_INLINE void find_rows(const TileRows& tile, const Index* particle, Index (&rows)[16]) {
+  const auto first = hn::Set(D32U(), tile.first), size = hn::Set(D32U(), tile.size);
+  hn::StoreU(hn::Min(hn::Sub(hn::LoadU(D32U(), particle), first), size), D32U(), rows);
+}
+template <class Real, std::size_t half, class V>
+HWY_INLINE void add_to_partners(const Vec3V<V>& force, const Vec3V<V>& torque, V one,
+                                const Index* partner, const TileRows& tile) {
+  const auto f64 = [](V v) HWY_ATTR { return half_f64<Real, half>(v); };
+  const hn::Vec<D64> c[8] = {f64(force.x),  f64(force.y),  f64(force.z), f64(torque.x),
+                             f64(torque.y), f64(torque.z), f64(one),     hn::Zero(D64())};
+  HWY_ALIGN Index rows[16];
+  find_rows(tile, partner, rows);
+  add_to_rows(c, rows, tile.rows);
+}
+
+// What one row of a block needs beside its partners.
+template <class Real>
+struct BlockV {
+  PartnerV<Real> owner[2];
+  hn::Vec<hn::RebindToSigned<Lanes<Real>>> index;
+  OwnerSums<Real> sums;
+};
+
+// One row: the owners of a block with one partner each. Own rows give the partner its share and are
+// tallied; in imported rows the owner is j.
+template <class Real, bool kOwn>
+HWY_INLINE void sphere_sphere_row(const StepConstants<Real>& step, const ParticleView<Real>& p,
+                                  const Index* partner, Real* numbers, const TileRows& tile,
+                                  BlockV<Real>& block, TallyV& tally) {
   const Lanes<Real> d;
   using V = hn::Vec<Lanes<Real>>;
-  const std::size_t lanes = hn::Lanes(d), half = hn::Lanes(D64());
+  constexpr std::size_t kHalf = hn::MaxLanes(D64());
   const V zero = hn::Zero(d);
-  TallyV sum = zero_tally();
-  for (std::size_t at = begin; at < end; at += lanes) {
-    if (at + 3 * lanes < end) {
-      for (std::size_t k = 0; k < lanes; ++k) hwy::Prefetch(p.record + pairs.j[at + 3 * lanes + k]);
-    }
-    prefetch_slots(pairs, at + kSlotsAhead);
-    PartnerV<Real> a[2], b[2];
-    SeparationV<Real> s[2];
-    for (std::size_t h = 0; h < kHalves<Real>; ++h) {
-      a[h] = load_partner(p, pairs.i + at + h * half);
-      b[h] = load_partner(p, pairs.j + at + h * half);
-      s[h] = separate(step, a[h], b[h]);
-    }
-    const V gap2 = join<Real>(s[0].gap2, s[1].gap2);
-    HistoryV<V> old;
-    old.spring = load3<V>(pairs.spring, at);
-    old.force = load3<V>(pairs.force, at);
-    const V any_force =
-        hn::Add(hn::Abs(old.force.x), hn::Add(hn::Abs(old.force.y), hn::Abs(old.force.z)));
-    // Padding pairs a particle with itself: gap = R^2 there, so ask for two distinct partners.
-    const auto distinct = hn::RebindMask(
-        d, hn::Ne(load_index<Real>(pairs.i + at), load_index<Real>(pairs.j + at)));
-    const auto touching = hn::And(distinct, hn::Gt(gap2, zero));
-    if (hn::AllFalse(d, hn::Or(touching, hn::Gt(any_force, zero)))) continue;
+  PartnerV<Real> other[2];
+  SeparationV<Real> s[2];
+  for (std::size_t h = 0; h < kHalves<Real>; ++h) {
+    other[h] = load_partner(p, partner + h * kHalf);
+    s[h] = kOwn ? separate(step, block.owner[h], other[h]) : separate(step, other[h], block.owner[h]);
+  }
+  const V gap2 = join<Real>(s[0].gap2, s[1].gap2);
+  HistoryV<V> old;
+  old.spring = load3<V>(numbers, kPairPad);
+  old.force = load3<V>(numbers + 3 * kPairPad, kPairPad);
+  const V any_force =
+      hn::Add(hn::Abs(old.force.x), hn::Add(hn::Abs(old.force.y), hn::Abs(old.force.z)));
+  // An empty lane pairs a particle with itself: gap = R^2 there, so ask for two distinct partners.
+  const auto distinct = hn::RebindMask(d, hn::Ne(block.index, load_index<Real>(partner)));
+  const auto touching = hn::And(distinct, hn::Gt(gap2, zero));
+  if (hn::AllFalse(d, hn::Or(touching, hn::Gt(any_force, zero)))) return;
 
-    V radius_i;
-    const TouchV<V> t = touch_of<Real>(step.rolling, a, b, s, radius_i);
-    old.moment = {zero, zero, zero};
-    if (step.rolling) old.moment = load3<V>(pairs.moment, at);
-    const auto material_i = join<Real>(a[0].material, a[1].material);
-    const auto material_j = join<Real>(b[0].material, b[1].material);
-    using Row = hn::RebindToSigned<Lanes<Real>>;
-    const auto row = hn::Add(
-        hn::Mul(material_i, hn::Set(Row(), static_cast<hn::TFromD<Row>>(step.law.materials))),
-        material_j);
-    const ResponseV<V> r =
-        respond<Real>(step, load_coefficients<Real>(step.law, row), t, old, touching);
-    store3(r.spring, pairs.spring, at);
-    store3(r.force, pairs.force, at);
-    if (step.rolling) store3(r.moment, pairs.moment, at);
-    if constexpr (kTally) count_response<Real>(r, touching, hn::Div(t.overlap, radius_i), sum);
+  const PartnerV<Real>(&a)[2] = kOwn ? block.owner : other;
+  const PartnerV<Real>(&b)[2] = kOwn ? other : block.owner;
+  V radius_i;
+  const TouchV<V> t = touch_of<Real>(step.rolling, a, b, s, radius_i);
+  old.moment = {zero, zero, zero};
+  if (step.rolling) old.moment = load3<V>(numbers + 6 * kPairPad, kPairPad);
+  const auto material_i = join<Real>(a[0].material, a[1].material);
+  const auto material_j = join<Real>(b[0].material, b[1].material);
+  using Row = hn::RebindToSigned<Lanes<Real>>;
+  const auto row = hn::Add(
+      hn::Mul(material_i, hn::Set(Row(), static_cast<hn::TFromD<Row>>(step.law.materials))),
+      material_j);
+  const ResponseV<V> r =
+      respond<Real>(step, load_coefficients<Real>(step.law, row), t, old, touching);
+  store3(r.spring, numbers, kPairPad);
+  store3(r.force, numbers + 3 * kPairPad, kPairPad);
+  if (step.rolling) store3(r.moment, numbers + 6 * kPairPad, kPairPad);
+  if constexpr (kOwn) count_response<Real>(r, touching, hn::Div(t.overlap, radius_i), tally);
 
-    const Vec3V<V> twist = cross(r.tangential, t.normal);  // = -n x F_t
+  const Vec3V<V> twist = cross(r.tangential, t.normal);  // = -n x F_t
+  const Vec3V<V> torque_j = scale(t.arm_j, twist) - r.moment;
+  const Vec3V<V> on_j = {hn::Neg(r.force.x), hn::Neg(r.force.y), hn::Neg(r.force.z)};
+  const V one = hn::IfThenElseZero(touching, hn::Set(d, 1));
+  if constexpr (kOwn) {
     const Vec3V<V> torque_i = add_scaled(r.moment, t.arm_i, twist);
-    const Vec3V<V> torque_j = scale(t.arm_j, twist) - r.moment;
-    const V one = hn::IfThenElseZero(touching, hn::Set(d, 1));
-    add_pair_rows<Real, 0>(r, torque_i, torque_j, one, pairs.i + at, pairs.j + at, tile);
+    add_to_owner<Real, 0>(r.force, torque_i, one, block.sums);
+    add_to_partners<Real, 0>(on_j, torque_j, one, partner, tile);
     if constexpr (kHalves<Real> == 2) {
-      add_pair_rows<Real, 1>(r, torque_i, torque_j, one, pairs.i + at + half, pairs.j + at + half,
-                             tile);
+      add_to_owner<Real, 1>(r.force, torque_i, one, block.sums);
+      add_to_partners<Real, 1>(on_j, torque_j, one, partner + kHalf, tile);
+    }
+  } else {
+    add_to_owner<Real, 0>(on_j, torque_j, one, block.sums);
+    if constexpr (kHalves<Real> == 2) add_to_owner<Real, 1>(on_j, torque_j, one, block.sums);
+  }
+}
+
+// Partners of a row some rows ahead; past the end of a tile's rows they are the next tile's.
+constexpr std::size_t kRowsAhead = 2;
+template <class Real>
+HWY_INLINE void prefetch_partners(const ParticleView<Real>& p, const Index* partner,
+                                  std::size_t lanes) {
+  for (std::size_t k = 0; k < lanes; ++k) hwy::Prefetch(p.record + partner[k]);
+}
+
+// Blocks of one part. Vectors narrower than a block take it in pieces.
+template <class Real, bool kOwn>
+HWY_INLINE void sphere_sphere_blocks(const StepConstants<Real>& step, const ParticleView<Real>& p,
+                                     const PairView<Real>& pairs, const TileRows& tile,
+                                     ContactTally& tally) {
+  constexpr std::size_t kLanes = hn::MaxLanes(Lanes<Real>()), kHalf = hn::MaxLanes(D64());
+  const std::size_t width = (step.rolling ? kRollingHistory : kHistory) * kPairPad;
+  const std::size_t first = kOwn ? 0 : pairs.own, last = kOwn ? pairs.own : pairs.all;
+  const std::size_t end = pairs.row_begin[last];
+  TallyV sum = zero_tally();
+  for (std::size_t at = first; at < last; ++at) {
+    for (std::size_t piece = 0; piece < kPairPad; piece += kLanes) {
+      const Index* owner = pairs.owner + at * kPairPad + piece;
+      BlockV<Real> block;
+      block.index = load_index<Real>(owner);
+      for (std::size_t h = 0; h < kHalves<Real>; ++h) {
+        block.owner[h] = load_partner(p, owner + h * kHalf);
+        for (auto& v : block.sums.sum[h]) v = hn::Zero(D64());
+      }
+      for (std::size_t row = pairs.row_begin[at]; row < pairs.row_begin[at + 1]; ++row) {
+        const Index* partner = pairs.partner + row * kPairPad + piece;
+        if (row + kRowsAhead < end) prefetch_partners(p, partner + kRowsAhead * kPairPad, kLanes);
+        sphere_sphere_row<Real, kOwn>(step, p, partner, pairs.numbers + row * width + piece, tile,
+                                      block, sum);
+      }
+      for (std::size_t h = 0; h < kHalves<Real>; ++h) {
+        const auto& s = block.sums.sum[h];
+        const hn::Vec<D64> c[8] = {s[0], s[1], s[2], s[3], s[4], s[5], s[6], hn::Zero(D64())};
+        HWY_ALIGN Index rows[16];
+        find_rows(tile, owner + h * kHalf, rows);
+        add_to_rows(c, rows, tile.rows);
+      }
     }
   }
-  if constexpr (kTally) add_tally(sum, tally);
+  if constexpr (kOwn) add_tally(sum, tally);
 }
 
 template <class Real>
 void sphere_sphere(const StepConstants<Real>& step, const ParticleView<Real>& p,
                    const PairView<Real>& pairs, const TileRows& tile, ContactTally& tally) {
-  sphere_sphere_range<Real, true>(step, p, pairs, 0, pairs.own, tile, tally);
-  sphere_sphere_range<Real, false>(step, p, pairs, pairs.own, pairs.all, tile, tally);
+  sphere_sphere_blocks<Real, true>(step, p, pairs, tile, tally);
+  sphere_sphere_blocks<Real, false>(step, p, pairs, tile, tally);
 }
 
 }  // namespace HWY_NAMESPACE

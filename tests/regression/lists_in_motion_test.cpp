@@ -98,6 +98,12 @@ TEST(ListsInMotion, MissNothingInAMixOfSizesWithPeriodicEnds) {
   EXPECT_GT(watch.pair_contacts / static_cast<double>(watch.looks), 500);
 }
 
+Index owner_of(const PairBatch<float>& pairs, std::size_t slot) {
+  std::size_t block = 0;
+  while (pairs.row_begin[block + 1] <= slot / kPairPad) ++block;
+  return pairs.owner[block * kPairPad + slot % kPairPad];
+}
+
 // The checks must be able to fail: take one contact out of a list, change one copy by one bit.
 TEST(ListChecks, NoticeAMissingContactAndAChangedTwin) {
   World<float> world = world_of<float>(shipped_scene("lab_mill_spheres", kLabMill));
@@ -109,20 +115,24 @@ TEST(ListChecks, NoticeAMissingContactAndAChangedTwin) {
   PairBatch<float>& pairs = world.pairs;
   int changed = 0, removed = 0;
   for (std::size_t tile = 0; tile < world.tiles(); ++tile) {
-    for (Index k = pairs.begin[tile]; k < pairs.own_end[tile]; ++k) {
-      if (pairs.i[k] == pairs.j[k] || !(std::abs(pairs.force[0][k]) > 0)) continue;
-      const bool crosses = pairs.j[k] / world.tile_size != tile;
+    // The lists are changed while they are looked at: copy what there is to try.
+    std::vector<std::pair<std::size_t, bool>> slots;
+    pairs.for_each(tile, PairBatch<float>::Part::kOwn, [&](std::size_t slot, Index, Index j) {
+      if (pairs.number(slot, 3) != 0) slots.emplace_back(slot, j / world.tile_size != tile);
+    });
+    for (const auto& [slot, crosses] : slots) {
       if (crosses && changed++ == 0) {
-        const float was = pairs.force[0][k];
-        pairs.force[0][k] = std::nextafter(was, 2 * was);
+        float& force = pairs.number(slot, 3);
+        const float was = force;
+        force = std::nextafter(was, 2 * was);
         EXPECT_EQ(unequal_twins(world).size(), 1u);
         EXPECT_NE(sum_of_pair_forces(world).x(), 0);
-        pairs.force[0][k] = was;
+        force = was;
       }
       if (!crosses && removed++ == 0) {
-        const Index was = std::exchange(pairs.j[k], pairs.i[k]);
+        const Index was = std::exchange(pairs.partner[slot], owner_of(pairs, slot));
         EXPECT_EQ(missed_contacts(world).size(), 1u);
-        pairs.j[k] = was;
+        pairs.partner[slot] = was;
       }
     }
   }

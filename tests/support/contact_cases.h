@@ -121,14 +121,14 @@ inline twin::History random_history(const twin::Coefficients& law, const Vec3& n
 
 enum class TouchState { kFresh, kPersisting, kLost, kApart };
 
-// Particles in pairs with their slots and histories, ready for the pair kernel.
+// Particles in pairs with their slots and histories, ready for the pair kernel: blocks of one row.
 template <class Real>
 struct PairCases {
   Column<Record<Real>> record;
   Column<Real> inverse_mass;
   Column<std::uint32_t> tag;
-  Column<Index> i, j;
-  Column<Real> spring[3], force[3], moment[3];
+  std::vector<Index> i, j;  // of each slot
+  PairBatch<Real> batch;
   std::size_t contacts, slots;
 
   PairCases(std::size_t count, const CaseOptions& o, const RandomLaw<Real>& law, unsigned seed)
@@ -136,14 +136,11 @@ struct PairCases {
     record.reset(2 * count);
     inverse_mass.reset(2 * count);
     tag.reset(2 * count);
-    i.reset(slots);
-    j.reset(slots);
-    for (int a = 0; a < 3; ++a) {
-      for (Column<Real>* c : {&spring[a], &force[a], &moment[a]}) {
-        c->reset(slots);
-        c->fill(0);
-      }
-    }
+    i.assign(slots, 0);
+    j.assign(slots, 0);
+    batch.rolling = o.rolling;
+    batch.reset(slots / kPairPad, slots / kPairPad);
+    batch.numbers.fill(0);
     Random random(seed);
     for (std::size_t k = 0; k < count; ++k) {
       i[k] = static_cast<Index>(2 * k);
@@ -152,29 +149,35 @@ struct PairCases {
         make_contact(k, o, law, random);
       } while (!is_clear(k, o, law));
     }
-    for (std::size_t k = count; k < slots; ++k) i[k] = j[k] = 0;
   }
 
   ParticleView<Real> particles() const { return {record.data(), inverse_mass.data(), tag.data()}; }
+  // The first `own` slots (whole blocks) belong to the tile, the others are imported.
   PairView<Real> view(std::size_t own) {
-    PairView<Real> v{};
-    v.i = i.data();
-    v.j = j.data();
-    for (int a = 0; a < 3; ++a) {
-      v.spring[a] = spring[a].data();
-      v.force[a] = force[a].data();
-      v.moment[a] = moment[a].data();
+    for (std::size_t k = 0; k < slots; ++k) {
+      batch.owner[k] = k < own ? i[k] : j[k];
+      batch.partner[k] = k < own ? j[k] : i[k];
     }
-    v.own = own;
-    v.all = slots;
-    return v;
+    const std::size_t blocks = slots / kPairPad;
+    for (std::size_t b = 0; b <= blocks; ++b) batch.row_begin[b] = static_cast<Index>(b);
+    return {batch.owner.data(),   batch.row_begin.data(), batch.partner.data(),
+            batch.numbers.data(), own / kPairPad,         blocks};
+  }
+  void set_history(std::size_t k, const twin::History& h) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      const Eigen::Index e = static_cast<Eigen::Index>(a);
+      batch.number(k, a) = static_cast<Real>(h.spring[e]);
+      batch.number(k, 3 + a) = static_cast<Real>(h.force[e]);
+      if (batch.rolling) batch.number(k, 6 + a) = static_cast<Real>(h.moment[e]);
+    }
   }
   twin::History history(std::size_t k) const {
-    const auto at = [&](const Column<Real>(&c)[3]) {
-      return Vec3(static_cast<double>(c[0][k]), static_cast<double>(c[1][k]),
-                  static_cast<double>(c[2][k]));
+    const auto at = [&](std::size_t first) {
+      return Vec3(static_cast<double>(batch.number(k, first)),
+                  static_cast<double>(batch.number(k, first + 1)),
+                  static_cast<double>(batch.number(k, first + 2)));
     };
-    return {at(spring), at(force), at(moment)};
+    return {at(0), at(3), batch.rolling ? at(6) : Vec3::Zero()};
   }
 
  private:
@@ -209,10 +212,10 @@ struct PairCases {
     a = {x.x() + dx.x(), x.y() + dx.y(), x.z() + dx.z(), v.x() + dv.x(), v.y() + dv.y(),
          v.z() + dv.z(), a.wx,           a.wy,           a.wz,           a.radius};
     if (o.periodic && random.below(2) == 0) a.z += 0.5 * (random.below(2) == 0 ? 1 : -2);
-    set_history(k, o, law, state, material, overlap, (dx - kCaseStep * dv).normalized(), random);
+    make_history(k, o, law, state, material, overlap, (dx - kCaseStep * dv).normalized(), random);
   }
 
-  void set_history(std::size_t k, const CaseOptions& o, const RandomLaw<Real>& law,
+  void make_history(std::size_t k, const CaseOptions& o, const RandomLaw<Real>& law,
                    TouchState state, const Index (&material)[2], double overlap,
                    const Vec3& normal_old, Random& random) {
     twin::History h;
@@ -220,11 +223,7 @@ struct PairCases {
       h = random_history(twin::coefficients(law.table(o.materials), material[0], material[1]),
                          normal_old, overlap, o.rolling, random);
     }
-    for (int a = 0; a < 3; ++a) {
-      spring[a][k] = static_cast<Real>(h.spring[a]);
-      force[a][k] = static_cast<Real>(h.force[a]);
-      moment[a][k] = static_cast<Real>(h.moment[a]);
-    }
+    set_history(k, h);
   }
 
   // Not within a thousandth of a branch point that jumps.
