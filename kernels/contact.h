@@ -48,8 +48,7 @@ struct StepConstants {
 template <class Real>
 struct ParticleView {
   const Record<Real>* record;
-  const Real* inverse_mass;  // 1/kg
-  const std::uint32_t* tag;
+  const Traits<Real>* traits;
 };
 
 // One tile's slice of a pair batch, see soa/pairs.h; blocks from `own` on are imported ones.
@@ -111,9 +110,8 @@ template <class Real>
 struct MoveView {
   const Record<Real>* now;
   Record<Real>* next;
-  const Real* inverse_mass;
-  const std::uint32_t* tag_now;
-  std::uint32_t* tag_next;
+  const Traits<Real>* traits_now;
+  Traits<Real>* traits_next;
   double* spin[3];              // f64 spin, rad/s
   const double* list_place[3];  // position when the lists were built
   const float* list_velocity[3];

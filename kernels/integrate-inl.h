@@ -94,7 +94,7 @@ void move_spheres(const MoveView<Real>& m, const TileRows& tile, double dt, Move
   const V drag = hn::Set(d, m.drag), elapsed = hn::Set(d, m.list_time);
   const Vec3V<V> gravity = {hn::Set(d, m.gravity[0]), hn::Set(d, m.gravity[1]),
                             hn::Set(d, m.gravity[2])};
-  const ParticleView<Real> view = {m.now, m.inverse_mass, m.tag_now};
+  const ParticleView<Real> view = {m.now, m.traits_now};
   MoveSumV sum = {zero, zero, {zero, zero, zero}, {zero, zero, zero}, zero, zero, zero};
   HWY_ALIGN Index lane[16];
   for (std::size_t k = 0; k < tile.size; k += lanes) {
@@ -139,8 +139,9 @@ void move_spheres(const MoveView<Real>& m, const TileRows& tile, double dt, Move
     HWY_ALIGN double touches[hn::MaxLanes(D64())];
     hn::Store(row[6], d, touches);
     for (std::size_t l = 0; l < count; ++l) {
-      m.tag_next[at + l] =
-          make_tag(tag_material(m.tag_now[at + l]), static_cast<std::uint32_t>(touches[l]));
+      const Traits<Real>& now = m.traits_now[at + l];
+      m.traits_next[at + l] = {
+          now.inverse_mass, make_tag(tag_material(now.tag), static_cast<std::uint32_t>(touches[l]))};
     }
 
     const V mass = hn::Div(hn::Set(d, 1), inverse_mass);

@@ -87,9 +87,45 @@ HWY_INLINE void gather_rows(const ParticleView<Real>& p, const Index* lane, Part
   out.radius = real(3);
 }
 
+// A tag as lanes: material and number of contacts.
+template <class Real, class V>
+HWY_INLINE void set_tag(V tag, PartnerV<Real>& out) {
+  const hn::DFromV<V> d;
+  out.material = hn::And(tag, hn::Set(d, 0xffff));
+  out.contacts = hn::ConvertTo(HalfLanes<Real>(), hn::ShiftRight<16>(tag));
+}
+HWY_INLINE void load_traits(const Traits<double>* traits, const Index* lane, PartnerV<double>& out) {
+  const D64I d;
+  const auto index = hn::PromoteTo(d, hn::BitCast(D32I(), hn::LoadU(D32U(), lane)));
+  const auto at = hn::Add(index, index);
+  out.inverse_mass = hn::GatherIndex(D64(), &traits->inverse_mass, at);
+  set_tag(hn::GatherIndex(d, reinterpret_cast<const std::int64_t*>(&traits->tag), at), out);
+}
+HWY_INLINE void load_traits(const Traits<float>* traits, const Index* lane, PartnerV<float>& out) {
+  const D64I d;
+#if QUERN_ROWS_IN_REGISTERS
+  const auto two = [&](int low) HWY_ATTR {
+    const double* a = reinterpret_cast<const double*>(traits + lane[low]);
+    const double* b = reinterpret_cast<const double*>(traits + lane[low + 1]);
+    return _mm_loadh_pd(_mm_load_sd(a), b);
+  };
+  const __m256d low = _mm256_insertf128_pd(_mm256_castpd128_pd256(two(0)), two(2), 1);
+  const __m256d high = _mm256_insertf128_pd(_mm256_castpd128_pd256(two(4)), two(6), 1);
+  const hn::Vec<D64I> both{
+      _mm512_castpd_si512(_mm512_insertf64x4(_mm512_castpd256_pd512(low), high, 1))};
+#else
+  const auto both = hn::GatherIndex(
+      d, reinterpret_cast<const std::int64_t*>(traits),
+      hn::PromoteTo(d, hn::BitCast(D32I(), hn::LoadU(D32U(), lane))));
+#endif
+  // The low half of each lane is the inverse mass, the high half is the tag.
+  const auto bits = hn::BitCast(hn::RebindToUnsigned<D64>(), both);
+  out.inverse_mass = hn::BitCast(HalfLanes<float>(), hn::TruncateTo(D32U(), bits));
+  set_tag(hn::BitCast(D32I(), hn::TruncateTo(D32U(), hn::ShiftRight<32>(bits))), out);
+}
+
 template <class Real>
 HWY_INLINE PartnerV<Real> load_partner(const ParticleView<Real>& p, const Index* lane) {
-  const HalfLanes<Real> dr;
   PartnerV<Real> out;
 #if QUERN_ROWS_IN_REGISTERS
   if constexpr (sizeof(Real) == sizeof(float)) {
@@ -100,13 +136,7 @@ HWY_INLINE PartnerV<Real> load_partner(const ParticleView<Real>& p, const Index*
 #else
   gather_rows(p, lane, out);
 #endif
-  const auto index = hn::LoadU(D32U(), lane);
-  out.inverse_mass = hn::GatherIndex(dr, p.inverse_mass, to_index<Real>(index));
-  const auto tag = hn::BitCast(
-      D32U(), hn::GatherIndex(D32I(), reinterpret_cast<const std::int32_t*>(p.tag),
-                              hn::BitCast(D32I(), index)));
-  out.material = to_index<Real>(hn::And(tag, hn::Set(D32U(), 0xffffu)));
-  out.contacts = hn::ConvertTo(dr, to_index<Real>(hn::ShiftRight<16>(tag)));
+  load_traits(p.traits, lane, out);
   return out;
 }
 
@@ -147,27 +177,45 @@ HWY_INLINE hn::Vec<hn::RebindToSigned<Lanes<Real>>> load_index(const Index* from
   }
 }
 
-// Lane sums of a tally, f64; reduced lane after lane at the end.
+// Lane sums of a tally: in Real over the few contacts of a block, in f64 over the blocks of a tile.
+template <class V>
 struct TallyV {
-  hn::Vec<D64> work, elastic, slide, tangential_damping, numerical_loss, deepest;
+  V work, elastic, slide, tangential_damping, numerical_loss, deepest;
   std::size_t contacts, warnings;
 };
-HWY_INLINE TallyV zero_tally() {
-  const auto z = hn::Zero(D64());
+using TallySumV = TallyV<hn::Vec<D64>>;
+template <class Real>
+HWY_INLINE TallyV<hn::Vec<Lanes<Real>>> zero_tally() {
+  const auto z = hn::Zero(Lanes<Real>());
   return {z, z, z, z, z, z, 0, 0};
 }
+HWY_INLINE TallySumV zero_tally_sum() { return zero_tally<double>(); }
 template <class Real, class V, class M>
-HWY_INLINE void count_response(const ResponseV<V>& r, M touching, V relative_overlap, TallyV& sum) {
+HWY_INLINE void count_response(const ResponseV<V>& r, M touching, V relative_overlap,
+                               TallyV<V>& sum) {
   const Lanes<Real> d;
-  sum.work = hn::Add(sum.work, folded_f64<Real>(r.work));
-  sum.elastic = hn::Add(sum.elastic, folded_f64<Real>(r.elastic));
-  sum.slide = hn::Add(sum.slide, folded_f64<Real>(r.slide));
-  sum.tangential_damping = hn::Add(sum.tangential_damping, folded_f64<Real>(r.tangential_damping));
-  sum.numerical_loss = hn::Add(sum.numerical_loss, folded_f64<Real>(r.numerical_loss));
+  sum.work = hn::Add(sum.work, r.work);
+  sum.elastic = hn::Add(sum.elastic, r.elastic);
+  sum.slide = hn::Add(sum.slide, r.slide);
+  sum.tangential_damping = hn::Add(sum.tangential_damping, r.tangential_damping);
+  sum.numerical_loss = hn::Add(sum.numerical_loss, r.numerical_loss);
   const V deep = hn::IfThenElseZero(touching, relative_overlap);
   sum.contacts += hn::CountTrue(d, touching);
   sum.warnings += hn::CountTrue(d, hn::Gt(deep, hn::Set(d, Real(0.5))));
-  sum.deepest = hn::Max(sum.deepest, hn::Max(half_f64<Real, 0>(deep), half_f64<Real, 1>(deep)));
+  sum.deepest = hn::Max(sum.deepest, deep);
+}
+template <class Real>
+HWY_INLINE void add_block(const TallyV<hn::Vec<Lanes<Real>>>& block, TallySumV& sum) {
+  sum.work = hn::Add(sum.work, folded_f64<Real>(block.work));
+  sum.elastic = hn::Add(sum.elastic, folded_f64<Real>(block.elastic));
+  sum.slide = hn::Add(sum.slide, folded_f64<Real>(block.slide));
+  sum.tangential_damping =
+      hn::Add(sum.tangential_damping, folded_f64<Real>(block.tangential_damping));
+  sum.numerical_loss = hn::Add(sum.numerical_loss, folded_f64<Real>(block.numerical_loss));
+  sum.contacts += block.contacts;
+  sum.warnings += block.warnings;
+  sum.deepest = hn::Max(sum.deepest, hn::Max(half_f64<Real, 0>(block.deepest),
+                                             half_f64<Real, 1>(block.deepest)));
 }
 inline double sum_lanes(hn::Vec<D64> v) {
   HWY_ALIGN double lane[hn::MaxLanes(D64())];
@@ -176,7 +224,7 @@ inline double sum_lanes(hn::Vec<D64> v) {
   for (std::size_t k = 0; k < hn::Lanes(D64()); ++k) s += lane[k];
   return s;
 }
-inline void add_tally(const TallyV& v, ContactTally& to) {
+inline void add_tally(const TallySumV& v, ContactTally& to) {
   ContactTally t;
   t.work = sum_lanes(v.work);
   t.elastic = sum_lanes(v.elastic);

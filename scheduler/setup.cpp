@@ -342,15 +342,15 @@ void append_particles(World<Real>& world, const Scene& scene,
                    static_cast<Real>(seed.spin.z()), radius};
     const double mass = scene.materials[seed.material].density *
                         sphere_volume(static_cast<double>(radius));
-    p.inverse_mass[k] = static_cast<Real>(1 / mass);
-    world.total_mass += 1 / static_cast<double>(p.inverse_mass[k]);
+    p.traits[k].inverse_mass = static_cast<Real>(1 / mass);
+    world.total_mass += 1 / static_cast<double>(p.traits[k].inverse_mass);
     // What comes in with a velocity brings its energy along.
     if (world.ledger.open != 0) {
       const double inertia = 0.4 * mass * seed.radius * seed.radius;
       world.ledger.start_kinetic +=
           0.5 * (mass * seed.velocity.squaredNorm() + inertia * seed.spin.squaredNorm());
     }
-    p.tag[k] = make_tag(seed.material, 0);
+    p.traits[k].tag = make_tag(seed.material, 0);
     p.id[k] = static_cast<Index>(k);
     p.species[k] = seed.species;
     p.spin_x[k] = seed.spin.x();

@@ -35,7 +35,7 @@ ParticleFrame particle_frame(const World<Real>& world) {
     f.radius[at] = static_cast<float>(r.radius);
     f.id[at] = p.id[k];
     f.species[at] = p.species[k];
-    f.contacts[at] = static_cast<std::uint16_t>(tag_contacts(p.tag[k]));
+    f.contacts[at] = static_cast<std::uint16_t>(tag_contacts(p.traits[k].tag));
   }
   return f;
 }

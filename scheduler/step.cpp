@@ -80,7 +80,7 @@ void Stepper<Real>::run_walls(std::size_t tile, Worker& worker, const TileRows& 
   if (worker.lanes.size() == 0) return;
   const WallContacts contacts = worker.lanes.view(rows.first);
   const Particles<Real>& p = world_.particles;
-  kernels_.walls(wall_constants_, {p.record.data(), p.inverse_mass.data(), p.tag.data()}, contacts,
+  kernels_.walls(wall_constants_, {p.record.data(), p.traits.data()}, contacts,
                  rows, tile_totals_[tile].walls);
   return_wall_contacts(contacts, worker.lanes, world_.walls, world_.bodies, walls, totals);
 }
@@ -106,15 +106,14 @@ void Stepper<Real>::run_tile(std::size_t tile, int worker) {
                                pairs.numbers.data(),
                                pairs.own_end[tile] - begin,
                                pairs.begin[tile + 1] - begin};
-  kernels_.pairs(constants_, {p.record.data(), p.inverse_mass.data(), p.tag.data()}, view, rows,
+  kernels_.pairs(constants_, {p.record.data(), p.traits.data()}, view, rows,
                  totals.pairs);
 
   MoveView<Real> m{};
   m.now = p.record.data();
   m.next = p.record_next.data();
-  m.inverse_mass = p.inverse_mass.data();
-  m.tag_now = p.tag.data();
-  m.tag_next = p.tag_next.data();
+  m.traits_now = p.traits.data();
+  m.traits_next = p.traits_next.data();
   Column<double>* spin[3] = {&p.spin_x, &p.spin_y, &p.spin_z};
   Column<double>* place[3] = {&p.list_x, &p.list_y, &p.list_z};
   Column<float>* velocity[3] = {&p.list_vx, &p.list_vy, &p.list_vz};
@@ -253,7 +252,7 @@ StepReport Stepper<Real>::step() {
   times_.tiles += seconds_since(start);
   start = Clock_::now();
   std::swap(world_.particles.record, world_.particles.record_next);
-  std::swap(world_.particles.tag, world_.particles.tag_next);
+  std::swap(world_.particles.traits, world_.particles.traits_next);
   add_tiles();
   account();
   StepReport report = judge();

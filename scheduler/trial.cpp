@@ -54,7 +54,7 @@ double median_energy(const World<double>& world) {
   for (std::size_t k = 0; k < world.particles.size(); ++k) {
     const Record<double>& r = world.particles.record[k];
     energy.push_back(0.5 * (r.vx * r.vx + r.vy * r.vy + r.vz * r.vz) /
-                     world.particles.inverse_mass[k]);
+                     world.particles.traits[k].inverse_mass);
     if (!std::isfinite(energy.back())) return HUGE_VAL;
   }
   std::nth_element(energy.begin(), energy.begin() + static_cast<std::ptrdiff_t>(energy.size() / 2),

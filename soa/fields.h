@@ -8,8 +8,7 @@
 
 #define QUERN_PARTICLE_FIELDS(X)                                                               \
   X(Record<Real>, record, "m, m/s, rad/s, m", "place, half-step velocity, spin, radius")       \
-  X(Real, inverse_mass, "1/kg", "0 for nothing that moves")                                    \
-  X(std::uint32_t, tag, "1", "material (low 16 bits), contacts of the last step (high 16)")    \
+  X(Traits<Real>, traits, "1/kg, 1", "inverse mass; material (16 bits), contacts of last step")\
   X(Index, id, "1", "identity for life, 0 ... n-1")                                            \
   X(std::uint16_t, species, "1", "row of the scene's [[particles]]")                           \
   X(double, spin_x, "rad/s", "half-step spin in full precision")                               \

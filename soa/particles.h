@@ -1,8 +1,8 @@
 // Particles: the columns of fields.h, plus the second copy of what a step rewrites.
 //
 // Order is the order of the space-filling curve of the last rebuild; identity is the column `id`.
-// Tile t owns [t * tile_size, (t + 1) * tile_size). A step reads record and tag, writes record_next
-// and tag_next, then swaps.
+// Tile t owns [t * tile_size, (t + 1) * tile_size). A step reads record and traits, writes
+// record_next and traits_next, then swaps.
 #pragma once
 
 #include "soa/column.h"
@@ -18,7 +18,7 @@ struct Particles {
   QUERN_PARTICLE_FIELDS(QUERN_DECLARE)
 #undef QUERN_DECLARE
   Column<Record<Real>> record_next;
-  Column<std::uint32_t> tag_next;
+  Column<Traits<Real>> traits_next;
 
   std::size_t size() const { return record.size(); }
 
@@ -40,7 +40,7 @@ struct Particles {
   }
   void reset_next() {
     record_next.reset(record.size());
-    tag_next.reset(record.size());
+    traits_next.reset(record.size());
   }
   void visit(StateVisitor& visitor) {
 #define QUERN_VISIT(type, name, unit, doc) visitor.column("particles/" #name, unit, name, 1);

@@ -11,6 +11,8 @@
 // Two copies exist, now and next: tiles read now (their own and their halo's) and write next.
 #pragma once
 
+#include <type_traits>
+
 #include "soa/base.h"
 
 namespace quern {
@@ -25,11 +27,20 @@ struct alignas(16) Record {
 static_assert(sizeof(Record<float>) == 64);
 static_assert(sizeof(Record<double>) == 80);
 
+// What else a contact needs of a partner, in one load. Two copies exist as well.
+template <class Real>
+struct Traits {
+  Real inverse_mass;  // 1/kg; 0 for nothing that moves
+  std::conditional_t<sizeof(Real) == 8, std::uint64_t, std::uint32_t> tag;
+};
+static_assert(sizeof(Traits<float>) == 8);
+static_assert(sizeof(Traits<double>) == 16);
+
 // tag: material in the low half, number of contacts of the last step in the high half.
 inline std::uint32_t make_tag(std::uint32_t material, std::uint32_t contacts) {
   return material | (contacts << 16);
 }
-inline std::uint32_t tag_material(std::uint32_t tag) { return tag & 0xffffu; }
-inline std::uint32_t tag_contacts(std::uint32_t tag) { return tag >> 16; }
+inline std::uint32_t tag_material(std::uint64_t tag) { return tag & 0xffffu; }
+inline std::uint32_t tag_contacts(std::uint64_t tag) { return static_cast<std::uint32_t>(tag >> 16); }
 
 }  // namespace quern

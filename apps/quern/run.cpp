@@ -146,8 +146,8 @@ class Run {
 
   void count_mass() {
     world_.total_mass = 0;
-    for (const Real inverse : world_.particles.inverse_mass) {
-      world_.total_mass += 1 / static_cast<double>(inverse);
+    for (const Traits<Real>& traits : world_.particles.traits) {
+      world_.total_mass += 1 / static_cast<double>(traits.inverse_mass);
     }
   }
 

@@ -23,7 +23,7 @@ void sphere_facet(const StepConstants<double>& step, const ParticleView<Real>& p
   using V = hn::Vec<D64>;
   const std::size_t lanes = hn::Lanes(d);
   const V zero = hn::Zero(d), half = hn::Set(d, 0.5);
-  TallyV sum = zero_tally();
+  TallySumV sum = zero_tally_sum();
   HWY_ALIGN Index rows[16];
   for (std::size_t at = 0; at < walls.count; at += lanes) {
     const PartnerV<Real> a = load_partner(p, walls.particle + at);

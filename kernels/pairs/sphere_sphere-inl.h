@@ -26,68 +26,61 @@ HWY_INLINE hn::Vec<D64> nearest_image(hn::Vec<D64> dx, double period, double inv
 // Geometry of one f64 vector of pairs: what needs more than f32.
 template <class Real>
 struct SeparationV {
-  Vec3V<hn::Vec<D64>> velocity;
-  Vec3V<hn::Vec<HalfLanes<Real>>> place, place_old;   // of i from j, rounded after the difference
-  hn::Vec<HalfLanes<Real>> reach, d2, d2_old, gap2, gap2_old;  // R, d^2, R^2 - d^2
+  Vec3V<hn::Vec<HalfLanes<Real>>> place, velocity;  // of i from j, rounded after the difference
+  hn::Vec<HalfLanes<Real>> reach, d2, gap2;         // R, d^2, R^2 - d^2
 };
 
 template <class Real>
 HWY_INLINE SeparationV<Real> separate(const StepConstants<Real>& step, const PartnerV<Real>& a,
                                       const PartnerV<Real>& b) {
   using V64 = hn::Vec<D64>;
-  const V64 dt = hn::Set(D64(), step.dt);
   Vec3V<V64> dx = a.place - b.place;
   if (step.periodic) {
     dx.x = nearest_image(dx.x, step.period[0], step.inverse_period[0]);
     dx.y = nearest_image(dx.y, step.period[1], step.inverse_period[1]);
     dx.z = nearest_image(dx.z, step.period[2], step.inverse_period[2]);
   }
-  SeparationV<Real> s;
-  s.velocity = a.velocity - b.velocity;
-  const Vec3V<V64> dx_old = add_scaled(dx, hn::Neg(dt), s.velocity);
   const V64 reach = hn::Add(to_f64(a.radius), to_f64(b.radius));
-  const V64 d2 = dot(dx, dx), d2_old = dot(dx_old, dx_old);
-  s.place = to_real<Real>(dx);
-  s.place_old = to_real<Real>(dx_old);
-  s.reach = to_real<Real>(reach);
-  s.d2 = to_real<Real>(d2);
-  s.d2_old = to_real<Real>(d2_old);
-  s.gap2 = to_real<Real>(hn::MulSub(reach, reach, d2));
-  s.gap2_old = to_real<Real>(hn::MulSub(reach, reach, d2_old));
-  return s;
+  const V64 d2 = dot(dx, dx);
+  return {to_real<Real>(dx), to_real<Real>(a.velocity - b.velocity), to_real<Real>(reach),
+          to_real<Real>(d2), to_real<Real>(hn::MulSub(reach, reach, d2))};
 }
 
-// Unit vectors and overlaps (R^2 - d^2) / (R + d), now and a step ago, by two divisions.
+// Unit vectors and overlaps (R^2 - d^2) / (R + d), now and a step ago, by two divisions. A step ago
+// the squares were smaller by dt v.(2 x - dt v): a small difference, right to a rounding of itself.
 template <class Real, class V = hn::Vec<Lanes<Real>>>
-HWY_INLINE void set_geometry(const SeparationV<Real> (&s)[2], TouchV<V>& t, V& reach) {
+HWY_INLINE void set_geometry(const SeparationV<Real> (&s)[2], V dt, TouchV<V>& t, V& reach) {
   const Lanes<Real> d;
   const V one = hn::Set(d, 1), tiny = hn::Set(d, Real(1e-25));
   const auto both = [&](const auto& pick) HWY_ATTR { return join<Real>(pick(0), pick(1)); };
   reach = both([&](int h) HWY_ATTR { return s[h].reach; });
-  const V now = hn::Sqrt(hn::Max(both([&](int h) HWY_ATTR { return s[h].d2; }), tiny));
-  const V old = hn::Sqrt(hn::Max(both([&](int h) HWY_ATTR { return s[h].d2_old; }), tiny));
+  t.velocity = both([&](int h) HWY_ATTR { return s[h].velocity; });
+  const Vec3V<V> place = both([&](int h) HWY_ATTR { return s[h].place; });
+  const Vec3V<V> place_old = add_scaled(place, hn::Neg(dt), t.velocity);
+  const V d2 = both([&](int h) HWY_ATTR { return s[h].d2; });
+  const V gap2 = both([&](int h) HWY_ATTR { return s[h].gap2; });
+  const V came = hn::Mul(dt, dot(t.velocity, place + place_old));
+  const V gap2_old = hn::Add(gap2, came);
+  const V now = hn::Sqrt(hn::Max(d2, tiny)), old = hn::Sqrt(hn::Max(hn::Sub(d2, came), tiny));
   const V inverse = hn::Div(one, hn::Mul(now, old));
-  t.normal = scale(hn::Mul(inverse, old), both([&](int h) HWY_ATTR { return s[h].place; }));
-  t.normal_old = scale(hn::Mul(inverse, now), both([&](int h) HWY_ATTR { return s[h].place_old; }));
+  t.normal = scale(hn::Mul(inverse, old), place);
+  t.normal_old = scale(hn::Mul(inverse, now), place_old);
   const V sum_now = hn::Add(reach, now), sum_old = hn::Add(reach, old);
   const V inverse_sums = hn::Div(one, hn::Mul(sum_now, sum_old));
-  t.overlap = hn::Mul(both([&](int h) HWY_ATTR { return s[h].gap2; }),
-                      hn::Mul(inverse_sums, sum_old));
-  t.overlap_old = hn::Mul(both([&](int h) HWY_ATTR { return s[h].gap2_old; }),
-                          hn::Mul(inverse_sums, sum_now));
+  t.overlap = hn::Mul(gap2, hn::Mul(inverse_sums, sum_old));
+  t.overlap_old = hn::Mul(gap2_old, hn::Mul(inverse_sums, sum_now));
 }
 
 // Both partners of a full vector of pairs as the law sees them.
 template <class Real, class V = hn::Vec<Lanes<Real>>>
-HWY_INLINE TouchV<V> touch_of(bool rolling, const PartnerV<Real> (&a)[2],
+HWY_INLINE TouchV<V> touch_of(const StepConstants<Real>& step, const PartnerV<Real> (&a)[2],
                               const PartnerV<Real> (&b)[2], const SeparationV<Real> (&s)[2],
                               V& radius_i) {
   const Lanes<Real> d;
   const auto both = [&](const auto& pick) HWY_ATTR { return join<Real>(pick(0), pick(1)); };
   TouchV<V> t;
   V reach;
-  set_geometry<Real>(s, t, reach);
-  t.velocity = both([&](int h) HWY_ATTR { return to_real<Real>(s[h].velocity); });
+  set_geometry<Real>(s, hn::Set(d, static_cast<Real>(step.dt)), t, reach);
   t.spin_i = both([&](int h) HWY_ATTR { return a[h].spin; });
   t.spin_j = both([&](int h) HWY_ATTR { return b[h].spin; });
   const V half = hn::Set(d, Real(0.5));
@@ -105,7 +98,7 @@ HWY_INLINE TouchV<V> touch_of(bool rolling, const PartnerV<Real> (&a)[2],
   t.count_rate = hn::MulAdd(count_i, mass_i, hn::Mul(count_j, mass_j));
   t.contacts = hn::Add(count_i, count_j);
   t.rolling_radius = t.inverse_inertia = hn::Zero(d);
-  if (!rolling) return t;
+  if (!step.rolling) return t;
   t.rolling_radius = hn::Div(hn::Mul(radius_i, radius_j), reach);
   t.inverse_inertia = hn::Mul(hn::Set(d, Real(2.5)),
                               hn::Add(hn::Div(mass_i, hn::Mul(radius_i, radius_i)),
@@ -148,6 +141,7 @@ struct BlockV {
   PartnerV<Real> owner[2];
   hn::Vec<hn::RebindToSigned<Lanes<Real>>> index;
   OwnerSums<Real> sums;
+  TallyV<hn::Vec<Lanes<Real>>> tally;
 };
 
 // One row: the owners of a block with one partner each. Own rows give the partner its share and are
@@ -155,7 +149,7 @@ struct BlockV {
 template <class Real, bool kOwn>
 HWY_INLINE void sphere_sphere_row(const StepConstants<Real>& step, const ParticleView<Real>& p,
                                   const Index* partner, Real* numbers, const TileRows& tile,
-                                  BlockV<Real>& block, TallyV& tally) {
+                                  BlockV<Real>& block) {
   const Lanes<Real> d;
   using V = hn::Vec<Lanes<Real>>;
   constexpr std::size_t kHalf = hn::MaxLanes(D64());
@@ -180,7 +174,7 @@ HWY_INLINE void sphere_sphere_row(const StepConstants<Real>& step, const Particl
   const PartnerV<Real>(&a)[2] = kOwn ? block.owner : other;
   const PartnerV<Real>(&b)[2] = kOwn ? other : block.owner;
   V radius_i;
-  const TouchV<V> t = touch_of<Real>(step.rolling, a, b, s, radius_i);
+  const TouchV<V> t = touch_of<Real>(step, a, b, s, radius_i);
   old.moment = {zero, zero, zero};
   if (step.rolling) old.moment = load3<V>(numbers + 6 * kPairPad, kPairPad);
   const auto material_i = join<Real>(a[0].material, a[1].material);
@@ -194,7 +188,7 @@ HWY_INLINE void sphere_sphere_row(const StepConstants<Real>& step, const Particl
   store3(r.spring, numbers, kPairPad);
   store3(r.force, numbers + 3 * kPairPad, kPairPad);
   if (step.rolling) store3(r.moment, numbers + 6 * kPairPad, kPairPad);
-  if constexpr (kOwn) count_response<Real>(r, touching, hn::Div(t.overlap, radius_i), tally);
+  if constexpr (kOwn) count_response<Real>(r, touching, hn::Div(t.overlap, radius_i), block.tally);
 
   const Vec3V<V> twist = cross(r.tangential, t.normal);  // = -n x F_t
   const Vec3V<V> torque_j = scale(t.arm_j, twist) - r.moment;
@@ -214,12 +208,15 @@ HWY_INLINE void sphere_sphere_row(const StepConstants<Real>& step, const Particl
   }
 }
 
-// Partners of a row some rows ahead; past the end of a tile's rows they are the next tile's.
-constexpr std::size_t kRowsAhead = 2;
+// What a row some rows ahead will need; past the end of a tile's rows it is the next tile's.
+constexpr std::size_t kRowsAhead = 4;
 template <class Real>
-HWY_INLINE void prefetch_partners(const ParticleView<Real>& p, const Index* partner,
-                                  std::size_t lanes) {
-  for (std::size_t k = 0; k < lanes; ++k) hwy::Prefetch(p.record + partner[k]);
+HWY_INLINE void prefetch_row(const ParticleView<Real>& p, const Index* partner, const Real* numbers,
+                             std::size_t width) {
+  for (std::size_t k = 0; k < hn::MaxLanes(Lanes<Real>()); ++k) {
+    hwy::Prefetch(p.record + partner[k]);
+  }
+  for (std::size_t k = 0; k < width; k += kPairPad) hwy::Prefetch(numbers + k);
 }
 
 // Blocks of one part. Vectors narrower than a block take it in pieces.
@@ -231,21 +228,24 @@ HWY_INLINE void sphere_sphere_blocks(const StepConstants<Real>& step, const Part
   const std::size_t width = (step.rolling ? kRollingHistory : kHistory) * kPairPad;
   const std::size_t first = kOwn ? 0 : pairs.own, last = kOwn ? pairs.own : pairs.all;
   const std::size_t end = pairs.row_begin[last];
-  TallyV sum = zero_tally();
+  TallySumV sum = zero_tally_sum();
   for (std::size_t at = first; at < last; ++at) {
     for (std::size_t piece = 0; piece < kPairPad; piece += kLanes) {
       const Index* owner = pairs.owner + at * kPairPad + piece;
       BlockV<Real> block;
       block.index = load_index<Real>(owner);
+      block.tally = zero_tally<Real>();
       for (std::size_t h = 0; h < kHalves<Real>; ++h) {
         block.owner[h] = load_partner(p, owner + h * kHalf);
         for (auto& v : block.sums.sum[h]) v = hn::Zero(D64());
       }
       for (std::size_t row = pairs.row_begin[at]; row < pairs.row_begin[at + 1]; ++row) {
         const Index* partner = pairs.partner + row * kPairPad + piece;
-        if (row + kRowsAhead < end) prefetch_partners(p, partner + kRowsAhead * kPairPad, kLanes);
-        sphere_sphere_row<Real, kOwn>(step, p, partner, pairs.numbers + row * width + piece, tile,
-                                      block, sum);
+        Real* numbers = pairs.numbers + row * width + piece;
+        if (row + kRowsAhead < end) {
+          prefetch_row(p, partner + kRowsAhead * kPairPad, numbers + kRowsAhead * width, width);
+        }
+        sphere_sphere_row<Real, kOwn>(step, p, partner, numbers, tile, block);
       }
       for (std::size_t h = 0; h < kHalves<Real>; ++h) {
         const auto& s = block.sums.sum[h];
@@ -254,6 +254,7 @@ HWY_INLINE void sphere_sphere_blocks(const StepConstants<Real>& step, const Part
         find_rows(tile, owner + h * kHalf, rows);
         add_to_rows(c, rows, tile.rows);
       }
+      if constexpr (kOwn) add_block<Real>(block.tally, sum);
     }
   }
   if constexpr (kOwn) add_tally(sum, tally);

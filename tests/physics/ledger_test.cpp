@@ -103,7 +103,7 @@ TYPED_TEST(Account, PairForcesSumToZero) {
   const Vec3 start = momentum();
   double speeds = 0, contacts = 0;
   for (std::size_t k = 0; k < world.particles.size(); ++k) {
-    speeds += std::abs(world.particles.record[k].vx) / world.particles.inverse_mass[k];
+    speeds += std::abs(world.particles.record[k].vx) / world.particles.traits[k].inverse_mass;
   }
   const int steps = 3000;
   for (int k = 0; k < steps; ++k) {
@@ -122,7 +122,7 @@ double kinetic_energy(const World<Real>& world) {
   double sum = 0;
   for (std::size_t k = 0; k < world.particles.size(); ++k) {
     const Record<Real>& r = world.particles.record[k];
-    const double mass = 1 / static_cast<double>(world.particles.inverse_mass[k]);
+    const double mass = 1 / static_cast<double>(world.particles.traits[k].inverse_mass);
     const double v2 = r.vx * r.vx + r.vy * r.vy + r.vz * r.vz;
     const Vec3 w(world.particles.spin_x[k], world.particles.spin_y[k], world.particles.spin_z[k]);
     const double radius = static_cast<double>(r.radius);

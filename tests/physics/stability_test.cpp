@@ -38,7 +38,7 @@ std::vector<double> kinetic_energies(const World<Real>& world) {
     const Vec3 v(r.vx, r.vy, r.vz);
     const Vec3 w(world.particles.spin_x[k], world.particles.spin_y[k], world.particles.spin_z[k]);
     const double radius = static_cast<double>(r.radius);
-    all.push_back(0.5 / static_cast<double>(world.particles.inverse_mass[k]) *
+    all.push_back(0.5 / static_cast<double>(world.particles.traits[k].inverse_mass) *
                   (v.squaredNorm() + 0.4 * radius * radius * w.squaredNorm()));
   }
   std::sort(all.begin(), all.end());

@@ -184,7 +184,7 @@ method = "random"
     size = 0;
     for (std::size_t k = 0; k < world.particles.size(); ++k) {
       const Record<float>& r = world.particles.record[k];
-      const double mass = 1 / static_cast<double>(world.particles.inverse_mass[k]);
+      const double mass = 1 / static_cast<double>(world.particles.traits[k].inverse_mass);
       sum += mass * Vec3(r.vx, r.vy, r.vz);
       size += mass * Vec3(r.vx, r.vy, r.vz).norm();
     }

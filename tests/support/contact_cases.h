@@ -125,8 +125,7 @@ enum class TouchState { kFresh, kPersisting, kLost, kApart };
 template <class Real>
 struct PairCases {
   Column<Record<Real>> record;
-  Column<Real> inverse_mass;
-  Column<std::uint32_t> tag;
+  Column<Traits<Real>> traits;
   std::vector<Index> i, j;  // of each slot
   PairBatch<Real> batch;
   std::size_t contacts, slots;
@@ -134,8 +133,7 @@ struct PairCases {
   PairCases(std::size_t count, const CaseOptions& o, const RandomLaw<Real>& law, unsigned seed)
       : contacts(count), slots((count + kPairPad - 1) / kPairPad * kPairPad) {
     record.reset(2 * count);
-    inverse_mass.reset(2 * count);
-    tag.reset(2 * count);
+    traits.reset(2 * count);
     i.assign(slots, 0);
     j.assign(slots, 0);
     batch.rolling = o.rolling;
@@ -151,7 +149,7 @@ struct PairCases {
     }
   }
 
-  ParticleView<Real> particles() const { return {record.data(), inverse_mass.data(), tag.data()}; }
+  ParticleView<Real> particles() const { return {record.data(), traits.data()}; }
   // The first `own` slots (whole blocks) belong to the tile, the others are imported.
   PairView<Real> view(std::size_t own) {
     for (std::size_t k = 0; k < slots; ++k) {
@@ -190,9 +188,9 @@ struct PairCases {
       Record<Real>& r = record[at];
       r.radius = static_cast<Real>(side == 0 ? random(0.005, 0.01) : random(0.01, 0.05));
       const double size = static_cast<double>(r.radius);
-      inverse_mass[at] = static_cast<Real>(1 / (random(1000, 8000) * 4.19 * size * size * size));
+      traits[at].inverse_mass = static_cast<Real>(1 / (random(1000, 8000) * 4.19 * size * size * size));
       material[side] = static_cast<Index>(random.below(o.materials));
-      tag[at] = make_tag(material[side], static_cast<std::uint32_t>(random.below(12)));
+      traits[at].tag = make_tag(material[side], static_cast<std::uint32_t>(random.below(12)));
       const Vec3 spin = random.in_cube(50);
       r.wx = static_cast<Real>(spin.x());
       r.wy = static_cast<Real>(spin.y());
@@ -231,7 +229,7 @@ struct PairCases {
     const StepConstants<Real> step = constants(o, law);
     const twin::Contact c = twin::sphere_sphere(step, particles(), i[k], j[k]);
     const auto coefficients =
-        twin::coefficients(step.law, tag_material(tag[i[k]]), tag_material(tag[j[k]]));
+        twin::coefficients(step.law, tag_material(traits[i[k]].tag), tag_material(traits[j[k]].tag));
     const twin::Response r =
         twin::respond(coefficients, c, history(k), {step.dt, o.clamped, o.rolling, 0});
     const double depth = c.overlap / c.i.radius;

@@ -222,9 +222,9 @@ Side side_of(const ParticleView<Real>& p, Index at, double overlap, double overl
   Side s;
   const Record<Real>& r = p.record[at];
   s.spin = {static_cast<double>(r.wx), static_cast<double>(r.wy), static_cast<double>(r.wz)};
-  s.inverse_mass = static_cast<double>(p.inverse_mass[at]);
+  s.inverse_mass = static_cast<double>(p.traits[at].inverse_mass);
   s.radius = static_cast<double>(r.radius);
-  s.contacts = tag_contacts(p.tag[at]);
+  s.contacts = tag_contacts(p.traits[at].tag);
   s.arm = s.radius - 0.5 * overlap;
   s.arm_old = s.radius - 0.5 * overlap_old;
   return s;
@@ -285,7 +285,7 @@ struct Moved {
 template <class Real>
 Moved move_sphere(const MoveView<Real>& m, std::size_t k, const double* sums, double dt) {
   const Record<Real>& r = m.now[k];
-  const double mass = 1 / static_cast<double>(m.inverse_mass[k]);
+  const double mass = 1 / static_cast<double>(m.traits_now[k].inverse_mass);
   const double radius = static_cast<double>(r.radius), inertia = 0.4 * mass * radius * radius;
   const Vec3 x(r.x, r.y, r.z), v(r.vx, r.vy, r.vz);
   const Vec3 w(m.spin[0][k], m.spin[1][k], m.spin[2][k]);

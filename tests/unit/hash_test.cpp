@@ -89,7 +89,7 @@ TYPED_TEST(StateHash, ChangesWithAnyBitOfAParticle) {
       this->expect_every_bit_counts("spin", *v);
     }
     this->expect_every_bit_counts("radius", r.radius);
-    this->expect_every_bit_counts("material and contacts", p.tag[k]);
+    this->expect_every_bit_counts("material and contacts", p.traits[k].tag);
   }
 }
 

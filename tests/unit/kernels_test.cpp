@@ -98,7 +98,7 @@ void check_pairs(const CaseOptions& o, std::size_t count, std::size_t own, unsig
     const Index i = cases.i[k], j = cases.j[k];
     contact.push_back(twin::sphere_sphere(step, cases.particles(), i, j));
     expected.push_back(twin::respond(
-        twin::coefficients(step.law, tag_material(cases.tag[i]), tag_material(cases.tag[j])),
+        twin::coefficients(step.law, tag_material(cases.traits[i].tag), tag_material(cases.traits[j].tag)),
         contact[k], cases.history(k), {step.dt, o.clamped, o.rolling, kEps<Real>}));
     if (k < own) tally.add(contact[k], expected[k]);
   }
@@ -154,7 +154,7 @@ TEST(KernelCases, CoverEveryStateOfAContact) {
       const Index i = cases.i[k], j = cases.j[k];
       const twin::Contact c = twin::sphere_sphere(step, cases.particles(), i, j);
       const twin::Response r = twin::respond(
-          twin::coefficients(step.law, tag_material(cases.tag[i]), tag_material(cases.tag[j])), c,
+          twin::coefficients(step.law, tag_material(cases.traits[i].tag), tag_material(cases.traits[j].tag)), c,
           cases.history(k), {step.dt, o.clamped, o.rolling, 0});
       fresh += r.fresh;
       held += c.touching && !r.fresh && !r.slides;
@@ -267,8 +267,8 @@ TYPED_TEST(KernelTwins, OfExchangedPartnersAreOpposite) {
         std::swap(two.i[k], two.j[k]);
         const twin::History h = one.history(k);
         two.set_history(k, {-h.spring, -h.force, -h.moment});
-        const auto coefficients = twin::coefficients(step.law, tag_material(one.tag[2 * k]),
-                                                     tag_material(one.tag[2 * k + 1]));
+        const auto coefficients = twin::coefficients(step.law, tag_material(one.traits[2 * k].tag),
+                                                     tag_material(one.traits[2 * k + 1].tag));
         const auto contact = twin::sphere_sphere(step, one.particles(), one.i[k], one.j[k]);
         error[k] = twin::respond(coefficients, contact, one.history(k),
                                  {step.dt, o.clamped, o.rolling, kEps<Real>})
@@ -328,7 +328,7 @@ void check_walls(const CaseOptions& o, std::size_t count, unsigned seed) {
     do {
       material[k] = static_cast<std::uint32_t>(random.below(o.materials));
       const auto coefficients =
-          twin::coefficients(step.law, tag_material(cases.tag[2 * k]), material[k]);
+          twin::coefficients(step.law, tag_material(cases.traits[2 * k].tag), material[k]);
       const bool lost = random.below(4) == 0, fresh = random.below(4) == 0;
       const Vec3 normal = random.in_cube(1).normalized();
       const Vec3 turned = (normal + random.in_cube(1e-3)).normalized();

@@ -21,8 +21,7 @@ constexpr std::size_t kFirst = 3;  // of the tile; a tile need not begin at a mu
 template <class Real>
 struct Crowd {
   Column<Record<Real>> now, next;
-  Column<Real> inverse_mass;
-  Column<std::uint32_t> tag, tag_next;
+  Column<Traits<Real>> traits, traits_next;
   Column<double> spin[3], place[3], rows;
   Column<float> velocity[3];
   std::size_t size;
@@ -32,10 +31,9 @@ struct Crowd {
     const std::size_t n = kFirst + count + 2;  // neighbours in other tiles on both sides
     now.reset(n);
     next.reset(n);
-    inverse_mass.reset(n);
-    tag.reset(n);
-    tag_next.reset(n);
-    tag_next.fill(0);
+    traits.reset(n);
+    traits_next.reset(n);
+    traits_next.fill({});
     for (int a = 0; a < 3; ++a) {
       spin[a].reset(n);
       place[a].reset(n);
@@ -56,8 +54,8 @@ struct Crowd {
                 static_cast<Real>(w.z()),
                 static_cast<Real>(random(0.005, 0.05))};
       next[k] = now[k];
-      inverse_mass[k] = static_cast<Real>(1 / random(0.01, 5));
-      tag[k] = make_tag(static_cast<std::uint32_t>(random.below(5)), 77);
+      traits[k].inverse_mass = static_cast<Real>(1 / random(0.01, 5));
+      traits[k].tag = make_tag(static_cast<std::uint32_t>(random.below(5)), 77);
       for (int a = 0; a < 3; ++a) {
         spin[a][k] = w[a];
         place[a][k] = x[a] - 0.1 * v[a] + random(-1e-3, 1e-3);
@@ -73,9 +71,8 @@ struct Crowd {
     MoveView<Real> m{};
     m.now = now.data();
     m.next = next.data();
-    m.inverse_mass = inverse_mass.data();
-    m.tag_now = tag.data();
-    m.tag_next = tag_next.data();
+    m.traits_now = traits.data();
+    m.traits_next = traits_next.data();
     for (int a = 0; a < 3; ++a) {
       m.spin[a] = spin[a].data();
       m.list_place[a] = place[a].data();
@@ -95,7 +92,7 @@ struct Crowd {
 template <class Real>
 bool is_kept(const Crowd<Real>& crowd, std::size_t k) {
   return std::memcmp(&crowd.next[k], &crowd.now[k], sizeof(Record<Real>)) == 0 &&
-         crowd.tag_next[k] == 0;
+         crowd.traits_next[k].tag == 0;
 }
 
 template <class Real>
@@ -109,7 +106,7 @@ void check_move(std::size_t count, unsigned seed) {
     const std::size_t at = kFirst + k;
     expected.push_back(twin::move_sphere(view, at, crowd.rows.data() + k * kRowWidth, dt));
     const twin::Moved& e = expected.back();
-    const double mass = 1 / static_cast<double>(crowd.inverse_mass[at]);
+    const double mass = 1 / static_cast<double>(crowd.traits[at].inverse_mass);
     const Record<Real>& r = crowd.now[at];
     sum.translational += e.translational;
     scale.translational += mass * (5 + e.velocity.norm()) * (5 + e.velocity.norm());
@@ -140,8 +137,8 @@ void check_move(std::size_t count, unsigned seed) {
     EXPECT_EQ(r.wy, static_cast<Real>(spin.y()));
     EXPECT_EQ(r.wz, static_cast<Real>(spin.z()));
     EXPECT_EQ(r.radius, crowd.now[at].radius);
-    EXPECT_EQ(tag_material(crowd.tag_next[at]), tag_material(crowd.tag[at]));
-    EXPECT_EQ(tag_contacts(crowd.tag_next[at]), crowd.rows[k * kRowWidth + 6]);
+    EXPECT_EQ(tag_material(crowd.traits_next[at].tag), tag_material(crowd.traits[at].tag));
+    EXPECT_EQ(tag_contacts(crowd.traits_next[at].tag), crowd.rows[k * kRowWidth + 6]);
   }
   for (std::size_t k = 0; k < kFirst; ++k) EXPECT_TRUE(is_kept(crowd, k));
   for (std::size_t k = kFirst + count; k < crowd.now.size(); ++k) EXPECT_TRUE(is_kept(crowd, k));
