@@ -1,0 +1,302 @@
+// Checks in the order in which they can be made, then the layout of soa/shapes.h; see hull.h.
+#include "kernels/hull.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+#include "kernels/closed_mesh.h"
+#include "kernels/mass_properties.h"
+#include "kernels/polyhedron.h"
+
+namespace quern {
+namespace {
+
+constexpr double kConvex = 1e-5;      // of the bound radius: how deep a dent is rounding
+constexpr double kSameVolume = 1e-4;  // mesh and hull of a convex body
+constexpr double kNotableRatio = 1.02;
+constexpr double kFlatVolume = 1e-12;  // over R^3
+constexpr double kFlatWidth = 1e-4;    // over the diameter
+constexpr std::size_t kMostCorners = 65535;
+constexpr const char* kTakeHull = "; hull = true takes its convex hull";
+
+std::string number(double value) {
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "%.4g", value);
+  return text.data();
+}
+
+std::string count(std::size_t n, const std::string& noun) {
+  if (n == 1) return "1 " + noun;
+  const bool body = noun.ends_with("body");
+  return std::to_string(n) + " " + (body ? noun.substr(0, noun.size() - 1) + "ies" : noun + "s");
+}
+
+std::string at(const Vec3& p) {
+  return "(" + number(p[0]) + ", " + number(p[1]) + ", " + number(p[2]) + ")";
+}
+
+class Builder {
+ public:
+  Builder(const std::string& name, const ShapeOptions& options, ShapeReport& report)
+      : name_(name), options_(options), report_(report) {}
+
+  Shape build(const std::vector<Triangle>& triangles) {
+    report_ = ShapeReport();
+    read(triangles);
+    check_surface();
+    try {
+      body_ = convex_hull(mesh_.vertex);
+    } catch (const UserError& problem) {
+      refuse(problem.what());
+    }
+    measure();
+    check_thickness();
+    check_convex();
+    check_size();
+    return lay_out();
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& what) const { throw UserError(name_ + ": " + what); }
+  void warn(const std::string& what) { report_.warnings.push_back(name_ + ": " + what); }
+  // What no convex body may be: refused, unless the hull was asked for.
+  void object(const std::string& what) {
+    if (!options_.hull) refuse(what + kTakeHull);
+    warn(what + "; its hull was taken");
+  }
+
+  void read(const std::vector<Triangle>& triangles) {
+    report_.triangles_read = static_cast<Index>(triangles.size());
+    if (triangles.empty()) refuse("the mesh has no triangles");
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+      for (const Vec3& p : triangles[t].corner)
+        for (int k = 0; k < 3; ++k)
+          if (!std::isfinite(p[k]))
+            refuse("triangle " + std::to_string(t + 1) + " has a corner that is not a finite number");
+    if (triangles.size() < 4) {
+      refuse("the mesh has " + count(triangles.size(), "triangle") + ", a body needs at least 4");
+    }
+    FacetReport welding;
+    mesh_ = weld(triangles, welding);
+    report_.dropped = welding.zero_area + welding.duplicates;
+    report_.welded_vertices = static_cast<Index>(mesh_.vertex.size());
+    if (mesh_.triangle.size() < 4) {
+      refuse("flat: only " + count(mesh_.triangle.size(), "triangle") + " of " +
+             std::to_string(triangles.size()) + " have an area of their own");
+    }
+  }
+
+  void check_surface() {
+    const MeshCheck check = check_and_orient(mesh_);
+    report_.flipped = check.flipped;
+    report_.bodies = check.bodies;
+    report_.open_edges = check.open_edges;
+    report_.crowded_edges = check.crowded_edges;
+    if (check.open_edges > 0) {
+      object("not closed: " + count(check.open_edges, "edge") +
+             " with one triangle only, the first at " + at(check.first_open));
+    }
+    if (check.crowded_edges > 0) {
+      object("not a simple surface: " + count(check.crowded_edges, "edge") +
+             " with more than two triangles, the first at " + at(check.first_crowded));
+    }
+    if (check.one_sided) object("its surface has one side only: inside and outside are the same");
+    if (check.closed()) report_.mesh_volume = check.volume;
+    if (check.closed() && check.bodies > 1) {
+      object("has " + std::to_string(check.bodies) + " separate bodies, a shape is one");
+    }
+    if (check.flipped > 0 && check.closed()) {
+      warn(count(check.flipped, "triangle") + " faced inwards and " +
+           (check.flipped == 1 ? "was" : "were") + " turned");
+    }
+  }
+
+  void measure() {
+    mass_ = mass_properties(body_.vertex, body_.triangles());
+    double bound = 0;
+    for (const Vec3& v : body_.vertex) bound = std::max(bound, (v - mass_.centroid).norm());
+    report_.volume = mass_.volume;
+    report_.bound_radius = bound;
+    report_.least_width = least_width(body_);
+  }
+
+  void check_thickness() const {
+    const double R = report_.bound_radius;
+    const bool thin = report_.least_width < kFlatWidth * 2 * R;
+    if (body_.empty() || mass_.volume <= kFlatVolume * R * R * R || thin) {
+      const double share = R > 0 ? report_.least_width / (2 * R) : 0;
+      refuse("flat: its least width is " + number(share) + " of its diameter, at least " +
+             number(kFlatWidth) + " is needed");
+    }
+  }
+
+  void check_convex() {
+    if (report_.mesh_volume && *report_.mesh_volume > 0) {
+      report_.volume_ratio = report_.volume / *report_.mesh_volume;
+    }
+    if (!report_.mesh_volume || report_.bodies > 1) return warn_of_ratio();
+    const double R = report_.bound_radius;
+    Vec3 where = Vec3::Zero();
+    double dent = deepest_reflex(mesh_, where);
+    for (const Vec3& v : mesh_.vertex) {
+      const double depth = depth_inside(v);
+      if (depth <= dent) continue;
+      dent = depth;
+      where = v;
+    }
+    const bool same = report_.volume_ratio && std::abs(*report_.volume_ratio - 1) <= kSameVolume;
+    if (dent > kConvex * R) {
+      object("not convex: bent inwards by " + number(dent / R) + " of its bound radius at " +
+             at(where) + ratio_text());
+    } else if (!same) {
+      object("its surface intersects itself" + ratio_text());
+    }
+    warn_of_ratio();
+  }
+  double depth_inside(const Vec3& p) const {
+    double depth = std::numeric_limits<double>::max();
+    for (std::size_t f = 0; f < body_.face.size(); ++f)
+      depth = std::min(depth, body_.offset[f] - body_.normal[f].dot(p));
+    return depth;
+  }
+  std::string ratio_text() const {
+    if (!report_.volume_ratio) return "";
+    return ", its hull has " + number(*report_.volume_ratio) + " times its volume";
+  }
+  void warn_of_ratio() {
+    if (report_.volume_ratio && *report_.volume_ratio > kNotableRatio) {
+      warn("the hull has " + number(*report_.volume_ratio) + " times the volume of the mesh");
+    }
+  }
+
+  void check_size() {
+    report_.faces = static_cast<Index>(body_.face.size());
+    report_.vertices = static_cast<Index>(body_.vertex.size());
+    report_.edges = static_cast<Index>(body_.edges());
+    const std::size_t corners = 2 * body_.edges();
+    if (corners > kMostCorners) {
+      refuse("too many details: " + count(body_.face.size(), "face") + " with " +
+             std::to_string(corners) + " corners in all, a shape may have " +
+             std::to_string(kMostCorners));
+    }
+    report_.spare_vertices = report_.welded_vertices - report_.vertices;
+    const std::size_t triangles = mesh_.triangle.size();
+    report_.merged_triangles =
+        static_cast<Index>(triangles - std::min(triangles, body_.face.size()));
+  }
+
+  Shape lay_out() {
+    const PrincipalAxes principal = principal_axes(mass_.inertia);
+    Shape shape;
+    shape.name = name_;
+    shape.vertices = report_.vertices;
+    shape.faces = report_.faces;
+    shape.edges = report_.edges;
+    shape.file_centroid = mass_.centroid;
+    shape.file_axes = principal.axes;
+    shape.file_scale = std::cbrt(0.75 * mass_.volume / kPi);
+    shape.inertia =
+        principal.moments / (mass_.volume * shape.file_scale * shape.file_scale);
+    lay_out_vertices(shape);
+    lay_out_planes(shape);
+    lay_out_faces(shape);
+    lay_out_edges(shape);
+    return shape;
+  }
+  void lay_out_vertices(Shape& shape) {
+    for (auto* column : {&shape.x, &shape.y, &shape.z}) column->reset(shape.padded_vertices());
+    Eigen::AlignedBox3d box;
+    for (std::size_t k = 0; k < shape.padded_vertices(); ++k) {
+      const Vec3& file = body_.vertex[k < shape.vertices ? k : 0];
+      const Vec3 v =
+          shape.file_axes.transpose() * (file - shape.file_centroid) / shape.file_scale;
+      shape.x[k] = v[0];
+      shape.y[k] = v[1];
+      shape.z[k] = v[2];
+      shape.bound_radius = std::max(shape.bound_radius, v.norm());
+      box.extend(v);
+    }
+    report_.box = shape.file_scale * box.sizes();
+    std::sort(report_.box.data(), report_.box.data() + 3, std::greater<>());
+  }
+  void lay_out_planes(Shape& shape) const {
+    for (auto* column : {&shape.nx, &shape.ny, &shape.nz, &shape.d})
+      column->reset(shape.padded_faces());
+    shape.inner_radius = kFarPlane;
+    for (std::size_t f = 0; f < shape.padded_faces(); ++f) {
+      Vec3 n = Vec3::Zero();
+      double d = kFarPlane;
+      if (f < shape.faces) {
+        n = shape.file_axes.transpose() * body_.normal[f];
+        d = -kFarPlane;
+        for (const Index v : body_.face[f]) d = std::max(d, n.dot(shape.vertex(v)));
+        shape.inner_radius = std::min(shape.inner_radius, d);
+      }
+      shape.nx[f] = n[0];
+      shape.ny[f] = n[1];
+      shape.nz[f] = n[2];
+      shape.d[f] = d;
+    }
+  }
+  void lay_out_faces(Shape& shape) const {
+    shape.face_begin.reset(shape.faces + 1);
+    shape.face_vertex.reset(2 * shape.edges);
+    shape.face_words = (shape.faces + 63) / 64;
+    shape.vertex_faces.reset(std::size_t{shape.vertices} * shape.face_words);
+    shape.vertex_faces.fill(0);
+    std::uint16_t k = 0;
+    for (Index f = 0; f < shape.faces; ++f) {
+      shape.face_begin[f] = k;
+      for (const Index v : body_.face[f]) {
+        shape.face_vertex[k++] = static_cast<std::uint16_t>(v);
+        shape.vertex_faces[std::size_t{v} * shape.face_words + f / 64] |= std::uint64_t{1}
+                                                                         << f % 64;
+      }
+    }
+    shape.face_begin[shape.faces] = k;
+  }
+  void lay_out_edges(Shape& shape) const {
+    shape.face_edge.reset(2 * shape.edges);
+    shape.edge_vertex.reset(2 * shape.edges);
+    shape.edge_face.reset(2 * shape.edges);
+    std::map<std::pair<Index, Index>, std::uint16_t> edge_of;
+    for (const auto& face : body_.face)
+      for (std::size_t k = 0; k < face.size(); ++k)
+        edge_of.try_emplace(std::minmax({face[k], face[(k + 1) % face.size()]}), std::uint16_t{0});
+    QUERN_CHECK(edge_of.size() == shape.edges);
+    std::uint16_t e = 0;
+    for (auto& [ends, id] : edge_of) {
+      shape.edge_vertex[2 * std::size_t{e}] = static_cast<std::uint16_t>(ends.first);
+      shape.edge_vertex[2 * std::size_t{e} + 1] = static_cast<std::uint16_t>(ends.second);
+      id = e++;
+    }
+    for (Index f = 0, k = 0; f < shape.faces; ++f) {
+      const auto& face = body_.face[f];
+      for (std::size_t c = 0; c < face.size(); ++c, ++k) {
+        const Index from = face[c], to = face[(c + 1) % face.size()];
+        const std::uint16_t id = edge_of.at(std::minmax(from, to));
+        shape.face_edge[k] = id;
+        shape.edge_face[2 * std::size_t{id} + (from < to ? 0 : 1)] = static_cast<std::uint16_t>(f);
+      }
+    }
+  }
+
+  const std::string& name_;
+  const ShapeOptions& options_;
+  ShapeReport& report_;
+  WeldedMesh mesh_;
+  Polyhedron body_;
+  MassProperties mass_;
+};
+
+}  // namespace
+
+Shape build_shape(const std::vector<Triangle>& triangles, const std::string& name,
+                  const ShapeOptions& options, ShapeReport& report) {
+  return Builder(name, options, report).build(triangles);
+}
+
+}  // namespace quern
