@@ -176,4 +176,14 @@ void FrameWriter::write(int number, const ParticleFrame& particles, const WallFr
   list(liner_, number, particles.time);
 }
 
+void write_surface(const std::string& path, const SurfaceFrame& frame) {
+  QUERN_CHECK(frame.triangle.size() == 3 * frame.face.size());
+  VtkFile file(path, 0);
+  const std::vector<std::int64_t> corners(frame.triangle.begin(), frame.triangle.end());
+  file.array("Points", frame.vertex, "1", 3);
+  file.cells(kVtkTriangle, frame.vertex.size() / 3, corners, 3);
+  file.array("CellData/face", frame.face, "1");
+  file.finish();
+}
+
 }  // namespace quern

@@ -41,4 +41,7 @@ class FrameWriter {
   FileSeries liner_{"liner", {}};
 };
 
+// A single surface, in the units of its file.
+void write_surface(const std::string& path, const SurfaceFrame& frame);
+
 }  // namespace quern

@@ -53,8 +53,8 @@ class Orienter {
     }
   }
   void join(const EdgeUse& a, const EdgeUse& b) {
-    const bool agrees = runs_up(mesh_.triangle[a.triangle], a.side) !=
-                        runs_up(mesh_.triangle[b.triangle], b.side);
+    const bool agrees =
+        runs_up(mesh_.triangle[a.triangle], a.side) != runs_up(mesh_.triangle[b.triangle], b.side);
     across_[a.triangle][a.side] = {b.triangle, agrees};
     across_[b.triangle][b.side] = {a.triangle, agrees};
   }

@@ -11,13 +11,13 @@ namespace quern {
 
 struct MeshCheck {
   Index edges = 0;
-  Index open_edges = 0;          // with one triangle
-  Index crowded_edges = 0;       // with three or more
-  Index bodies = 0;              // parts that share no edge
-  Index flipped = 0;             // triangles that were turned
-  bool one_sided = false;        // no orientation agrees over all edges
+  Index open_edges = 0;     // with one triangle
+  Index crowded_edges = 0;  // with three or more
+  Index bodies = 0;         // parts that share no edge
+  Index flipped = 0;        // triangles that were turned
+  bool one_sided = false;   // no orientation agrees over all edges
   Vec3 first_open = Vec3::Zero(), first_crowded = Vec3::Zero();  // mid-points of such edges
-  double volume = 0;             // of all bodies; 0 unless closed and two-sided
+  double volume = 0;  // of all bodies; 0 unless closed and two-sided
   bool closed() const { return open_edges == 0 && crowded_edges == 0 && !one_sided; }
 };
 

@@ -75,7 +75,8 @@ class Builder {
       for (const Vec3& p : triangles[t].corner)
         for (int k = 0; k < 3; ++k)
           if (!std::isfinite(p[k]))
-            refuse("triangle " + std::to_string(t + 1) + " has a corner that is not a finite number");
+            refuse("triangle " + std::to_string(t + 1) +
+                   " has a corner that is not a finite number");
     if (triangles.size() < 4) {
       refuse("the mesh has " + count(triangles.size(), "triangle") + ", a body needs at least 4");
     }
@@ -198,8 +199,7 @@ class Builder {
     shape.file_centroid = mass_.centroid;
     shape.file_axes = principal.axes;
     shape.file_scale = std::cbrt(0.75 * mass_.volume / kPi);
-    shape.inertia =
-        principal.moments / (mass_.volume * shape.file_scale * shape.file_scale);
+    shape.inertia = principal.moments / (mass_.volume * shape.file_scale * shape.file_scale);
     lay_out_vertices(shape);
     lay_out_planes(shape);
     lay_out_faces(shape);
@@ -211,8 +211,7 @@ class Builder {
     Eigen::AlignedBox3d box;
     for (std::size_t k = 0; k < shape.padded_vertices(); ++k) {
       const Vec3& file = body_.vertex[k < shape.vertices ? k : 0];
-      const Vec3 v =
-          shape.file_axes.transpose() * (file - shape.file_centroid) / shape.file_scale;
+      const Vec3 v = shape.file_axes.transpose() * (file - shape.file_centroid) / shape.file_scale;
       shape.x[k] = v[0];
       shape.y[k] = v[1];
       shape.z[k] = v[2];
@@ -253,7 +252,7 @@ class Builder {
       for (const Index v : body_.face[f]) {
         shape.face_vertex[k++] = static_cast<std::uint16_t>(v);
         shape.vertex_faces[std::size_t{v} * shape.face_words + f / 64] |= std::uint64_t{1}
-                                                                         << f % 64;
+                                                                          << f % 64;
       }
     }
     shape.face_begin[shape.faces] = k;

@@ -25,13 +25,13 @@ struct ShapeReport {
   Index bodies = 0;           // parts that share no edge
   Index open_edges = 0, crowded_edges = 0;
   Index faces = 0, vertices = 0, edges = 0;
-  Index merged_triangles = 0;  // those that became part of a larger face
-  Index spare_vertices = 0;    // welded ones that the shape does without
-  double volume = 0;           // of the shape, in the file's units
-  std::optional<double> mesh_volume;   // of the file's mesh, where it is closed
-  std::optional<double> volume_ratio;  // volume / mesh_volume
+  Index merged_triangles = 0;                // those that became part of a larger face
+  Index spare_vertices = 0;                  // welded ones that the shape does without
+  double volume = 0;                         // of the shape, in the file's units
+  std::optional<double> mesh_volume;         // of the file's mesh, where it is closed
+  std::optional<double> volume_ratio;        // volume / mesh_volume
   double least_width = 0, bound_radius = 0;  // in the file's units
-  Vec3 box = Vec3::Zero();     // extents along the principal axes, descending, in the file's units
+  Vec3 box = Vec3::Zero();  // extents along the principal axes, descending, in the file's units
   std::vector<std::string> warnings;
 };
 

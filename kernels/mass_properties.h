@@ -19,7 +19,8 @@ struct MassProperties {
   Mat3 inertia = Mat3::Zero();  // about the centroid, for unit density
 };
 
-// Triangles are counterclockwise seen from outside. A volume of zero gives the centroid of vertex 0.
+// Triangles are counterclockwise seen from outside. A volume of zero gives the centroid of vertex
+// 0.
 MassProperties mass_properties(const std::vector<Vec3>& vertex,
                                const std::vector<std::array<Index, 3>>& triangle);
 

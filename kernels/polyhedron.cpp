@@ -257,7 +257,8 @@ std::size_t Polyhedron::edges() const {
 std::vector<std::array<Index, 3>> Polyhedron::triangles() const {
   std::vector<std::array<Index, 3>> out;
   for (const auto& loop : face)
-    for (std::size_t k = 1; k + 1 < loop.size(); ++k) out.push_back({loop[0], loop[k], loop[k + 1]});
+    for (std::size_t k = 1; k + 1 < loop.size(); ++k)
+      out.push_back({loop[0], loop[k], loop[k + 1]});
   return out;
 }
 

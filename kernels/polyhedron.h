@@ -1,10 +1,10 @@
 // Polyhedron: the convex hull of points as vertices, planes and polygonal faces. Set-up code.
 //
-// Qhull (libqhull_r) finds the hull; what is flat to kFlat of the bound radius becomes one face, and
-// vertices that then lie between fewer than three faces (inside a face, on an edge) are dropped.
-// The rest does not depend on Qhull's order: vertices keep the order of the points, each face
-// begins with its lowest vertex, faces are sorted. Where three faces meet, the vertex is moved into
-// their planes: file coordinates in single precision are flat to 1e-7 only, contact wants both
+// Qhull (libqhull_r) finds the hull; what is flat to kFlat of the bound radius becomes one face,
+// and vertices that then lie between fewer than three faces (inside a face, on an edge) are
+// dropped. The rest does not depend on Qhull's order: vertices keep the order of the points, each
+// face begins with its lowest vertex, faces are sorted. Where three faces meet, the vertex is moved
+// into their planes: file coordinates in single precision are flat to 1e-7 only, contact wants both
 // descriptions to be the same body.
 #pragma once
 

@@ -31,6 +31,13 @@ struct WallFrame {
   std::vector<float> speed;             // k: of the triangle's centre, m/s
 };
 
+// One body alone, its triangles coloured by the face they belong to.
+struct SurfaceFrame {
+  std::vector<double> vertex;           // m x 3
+  std::vector<std::uint32_t> triangle;  // k x 3
+  std::vector<std::uint16_t> face;      // k
+};
+
 struct Quantity {
   std::string name;  // the field's word, lower_snake
   std::string unit;  // "W", "N m", "1"

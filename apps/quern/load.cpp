@@ -43,6 +43,12 @@ LoadedScene load_scene_text(const std::string& text, const std::string& name,
   return finish(parse_scene(text, name, folder));
 }
 
+Shape read_shape(const std::string& path, const ShapeOptions& options, ShapeReport& report) {
+  const MeshResult mesh = read_stl(path, 1);
+  if (!mesh.errors.empty()) throw InputErrors{mesh.errors};
+  return build_shape(mesh.triangles, path, options, report);
+}
+
 void judge_time_step(const LoadedScene& loaded) {
   const std::vector<StepAdvice> all = advise_steps(loaded.scene, loaded.seeds, loaded.dt);
   const auto worst = std::min_element(
@@ -50,12 +56,12 @@ void judge_time_step(const LoadedScene& loaded) {
       [](const StepAdvice& a, const StepAdvice& b) { return a.steps_normal < b.steps_normal; });
   if (worst == all.end() || worst->steps_normal >= kWarnedSteps) return;
   const std::string what =
-      fmt::format("'run.time_step' {:.3g} s gives {:.1f} steps per contact of {} and {}",
-                  loaded.dt, worst->steps_normal, worst->a, worst->b);
+      fmt::format("'run.time_step' {:.3g} s gives {:.1f} steps per contact of {} and {}", loaded.dt,
+                  worst->steps_normal, worst->a, worst->b);
   if (worst->steps_normal < kRefusedSteps) {
-    throw InputErrors{{fmt::format("error: {}; at least {:g} are needed ({:.3g} s), {:g} advised",
-                                   what, kRefusedSteps, worst->contact_time / kRefusedSteps,
-                                   kAdvisedSteps)}};
+    throw InputErrors{
+        {fmt::format("error: {}; at least {:g} are needed ({:.3g} s), {:g} advised", what,
+                     kRefusedSteps, worst->contact_time / kRefusedSteps, kAdvisedSteps)}};
   }
   log_warn(fmt::format("{}; {:g} are advised for accuracy", what, kAdvisedSteps));
 }

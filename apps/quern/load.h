@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "kernels/hull.h"
 #include "scheduler/fill.h"
 #include "scheduler/setup.h"
 
@@ -25,6 +26,9 @@ struct LoadedScene {
 LoadedScene load_scene(const std::string& path, const std::vector<std::string>& overrides);
 LoadedScene load_scene_text(const std::string& text, const std::string& name,
                             const std::string& folder);
+
+// The shape in an STL file; lengths in the file's units. Throws InputErrors or UserError.
+Shape read_shape(const std::string& path, const ShapeOptions& options, ShapeReport& report);
 
 // Refuses a step with fewer than kRefusedSteps per contact, warns below kWarnedSteps.
 void judge_time_step(const LoadedScene& loaded);

@@ -1,4 +1,4 @@
-// The command line of quern: run, resume, check, info.
+// The command line of quern: run, resume, check, shape, info.
 //
 // Exit codes: 0 fine, 1 a defect of ours, 2 the user's input, 3 the system (disk, files), 4 the run
 // went wrong (and left a checkpoint).
@@ -8,6 +8,7 @@
 #include "apps/quern/info.h"
 #include "apps/quern/load.h"
 #include "apps/quern/run.h"
+#include "apps/quern/shape.h"
 #include "io/log.h"
 
 namespace {
@@ -41,6 +42,12 @@ int dispatch(int argc, char** argv) {
   check->add_option("--set", options.overrides, "key=value, replaces a value of the scene")
       ->take_all();
 
+  quern::ShapeCommand shape_options;
+  CLI::App* shape = app.add_subcommand("shape", "what an STL file gives as a polyhedron");
+  shape->add_option("file", shape_options.file, "FILE.stl")->required();
+  shape->add_flag("--hull", shape_options.hull, "take the convex hull of what is no convex body");
+  shape->add_option("--out", shape_options.out, "folder for the frame")->default_str("out/shapes");
+
   CLI::App* info = app.add_subcommand("info", "laws, pair types, fields, tallies, SIMD targets");
 
   try {
@@ -58,6 +65,10 @@ int dispatch(int argc, char** argv) {
   }
   if (resume->parsed()) return quern::resume_command(options);
   if (check->parsed()) return quern::check_command(options);
+  if (shape->parsed()) {
+    if (shape_options.out.empty()) shape_options.out = "out/shapes";
+    return quern::shape_command(shape_options);
+  }
   if (info->parsed()) return quern::info_command();
   return 2;
 }
