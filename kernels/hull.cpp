@@ -22,9 +22,10 @@ constexpr double kFlatWidth = 1e-4;    // over the diameter
 constexpr std::size_t kMostCorners = 65535;
 constexpr const char* kTakeHull = "; hull = true takes its convex hull";
 
-std::string number(double value) {
+std::string number(double value, int digits = 4) {
+  if (std::abs(value) < 1e-12) return "0";
   std::array<char, 32> text;
-  std::snprintf(text.data(), text.size(), "%.4g", value);
+  std::snprintf(text.data(), text.size(), "%.*g", digits, value);
   return text.data();
 }
 
@@ -36,6 +37,22 @@ std::string count(std::size_t n, const std::string& noun) {
 
 std::string at(const Vec3& p) {
   return "(" + number(p[0]) + ", " + number(p[1]) + ", " + number(p[2]) + ")";
+}
+
+// Keeps the vertices that triangles use: those of a triangle without area shape nothing.
+void drop_unused_vertices(WeldedMesh& mesh) {
+  std::vector<Index> new_id(mesh.vertex.size(), kNoIndex);
+  for (const auto& t : mesh.triangle)
+    for (const Index v : t) new_id[v] = 0;
+  std::vector<Vec3> kept;
+  for (std::size_t v = 0; v < mesh.vertex.size(); ++v) {
+    if (new_id[v] == kNoIndex) continue;
+    new_id[v] = static_cast<Index>(kept.size());
+    kept.push_back(mesh.vertex[v]);
+  }
+  mesh.vertex = std::move(kept);
+  for (auto& t : mesh.triangle)
+    for (Index& v : t) v = new_id[v];
 }
 
 class Builder {
@@ -54,8 +71,8 @@ class Builder {
     }
     measure();
     check_thickness();
-    check_convex();
     check_size();
+    check_convex();
     return lay_out();
   }
 
@@ -82,6 +99,7 @@ class Builder {
     }
     FacetReport welding;
     mesh_ = weld(triangles, welding);
+    drop_unused_vertices(mesh_);
     report_.dropped = welding.zero_area + welding.duplicates;
     report_.welded_vertices = static_cast<Index>(mesh_.vertex.size());
     if (mesh_.triangle.size() < 4) {
@@ -165,11 +183,11 @@ class Builder {
   }
   std::string ratio_text() const {
     if (!report_.volume_ratio) return "";
-    return ", its hull has " + number(*report_.volume_ratio) + " times its volume";
+    return ", its hull has " + number(*report_.volume_ratio, 6) + " times its volume";
   }
   void warn_of_ratio() {
     if (report_.volume_ratio && *report_.volume_ratio > kNotableRatio) {
-      warn("the hull has " + number(*report_.volume_ratio) + " times the volume of the mesh");
+      warn("the hull has " + number(*report_.volume_ratio, 6) + " times the volume of the mesh");
     }
   }
 
