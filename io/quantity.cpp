@@ -40,6 +40,7 @@ constexpr UnitRow kStiffnesses[] = {
     {"N/m", 1, 1}, {"kN/m", 1e3, 1}, {"MN/m", 1e6, 1}, {"N/mm", 1e3, 1}};
 constexpr UnitRow kDensities[] = {{"kg/m^3", 1, 1}, {"t/m^3", 1e3, 1}, {"g/cm^3", 1e3, 1}};
 constexpr UnitRow kHardnesses[] = {{"HV", 1, 1}};
+constexpr UnitRow kPressures[] = {{"Pa", 1, 1}, {"kPa", 1e3, 1}, {"MPa", 1e6, 1}, {"GPa", 1e9, 1}};
 constexpr UnitRow kEnergies[] = {{"J", 1, 1}, {"mJ", 1, 1e3}, {"kJ", 1e3, 1}};
 
 const DimensionRow kDimensions[] = {
@@ -57,6 +58,7 @@ const DimensionRow kDimensions[] = {
     {Dimension::kDensity, "density", "kg/m^3, t/m^3, g/cm^3", kDensities},
     {Dimension::kHardness, "hardness", "HV", kHardnesses},
     {Dimension::kEnergy, "energy", "J, mJ", kEnergies},
+    {Dimension::kPressure, "pressure", "Pa, MPa, GPa", kPressures},
 };
 
 const DimensionRow& row_of(Dimension dimension) {

@@ -25,6 +25,7 @@ enum class Dimension {
   kDensity,
   kHardness,
   kEnergy,
+  kPressure,
 };
 
 struct QuantityResult {

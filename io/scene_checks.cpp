@@ -232,6 +232,11 @@ void check_contact(const SceneCheck& check) {
                     &C::tangential_stiffness);
   check_coefficient(check, "restitution", &P::restitution, &C::restitution);
   check_coefficient(check, "sliding_friction", &P::sliding_friction, &C::sliding_friction);
+  if (check.scene.contact.volume_stiffness &&
+      check.scene.contact.normal_model != NormalModel::kVolume)
+    check.context.messages.warning(
+        check.context.trace.place("contact.volume_stiffness"),
+        "'volume_stiffness' is not used: it needs normal_model = \"volume\"");
   warn_restitution(check, "contact.restitution", check.scene.contact.restitution);
   for (std::size_t i = 0; i < check.scene.contact.pairs.size(); ++i)
     warn_restitution(check, fmt::format("contact.pair[{}].restitution", i),

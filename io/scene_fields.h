@@ -45,6 +45,8 @@ inline constexpr const char* kWallWords[] = {"mesh", "plane", "box"};
 inline constexpr const char* kSettleWords[] = {"none", "until-rest"};
 inline constexpr const char* kLawWords[] = {"linear-spring-dashpot"};
 inline constexpr const char* kShapeWords[] = {"sphere"};
+inline constexpr const char* kOverlapWords[] = {"chord", "width"};
+inline constexpr const char* kNormalModelWords[] = {"stiffness", "volume"};
 
 inline Words words_of(Precision) { return kPrecisionWords; }
 inline Words words_of(NormalForce) { return kNormalForceWords; }
@@ -54,6 +56,9 @@ inline Words words_of(FillMethod) { return kFillWords; }
 inline Words words_of(MotionKind) { return kMotionWords; }
 inline Words words_of(Direction) { return kDirectionWords; }
 inline Words words_of(WallKind) { return kWallWords; }
+inline Words words_of(ShapeKind) { return kShapeWords; }
+inline Words words_of(OverlapKind) { return kOverlapWords; }
+inline Words words_of(NormalModel) { return kNormalModelWords; }
 
 // Any of [[walls]], before it is sorted by kind.
 struct WallSpec {
@@ -154,6 +159,15 @@ void fields(Io& io, ContactSpec& contact) {
   io({"normal_force", "clamped: never pulls; unclamped: the plain dashpot"}, contact.normal_force);
   io({"tangential_damping", "dashpot along the surface"}, contact.tangential_damping);
   coefficient_fields(io, contact);
+  io({"overlap", "of polyhedra: longest chord along the normal, or width of the whole overlap"},
+     contact.overlap);
+  io({"normal_model", "of polyhedra: stiffness times overlap, or gradient of an overlap volume"},
+     contact.normal_model);
+  io({"volume_stiffness", "of normal_model = \"volume\"; default: stiffness / smaller radius",
+      Dimension::kPressure, Range::kPositive},
+     contact.volume_stiffness);
+  io({"patch_damping", "of polyhedra: dashpots against rocking and drilling"},
+     contact.patch_damping);
   io.tables({"pair", "coefficients of a pair of materials"}, contact.pairs);
 }
 
@@ -243,8 +257,7 @@ void fields(Io& io, SizeClass& size) {
   io({"to", "largest diameter", kLength, Range::kPositive, Need::kRequired}, size.to);
   io({"count", "particles of the class", kNumber, Range::kNotNegative}, size.count);
   io({"mass_share", "of the species' mass", kShare, Range::kShare}, size.mass_share);
-  std::string shape = "sphere";
-  io.word({"shape", "of the class"}, kShapeWords, shape);
+  io({"shape", "of the class; default: that of the species"}, size.shape);
 }
 
 struct RosinRammler {
@@ -289,13 +302,31 @@ void fields(Io& io, ExplicitParticle& particle) {
   io({"diameter", "default: that of the species", kLength, Range::kPositive}, particle.diameter);
 }
 
+// Two keys have two names: the second serves where only some of the sizes are polyhedra, or says
+// better what it means. They are written by the first.
+template <class Io>
+void shape_fields(Io& io, ParticleSpec& species) {
+  std::vector<std::string> meshes;
+  std::optional<double> diameter;
+  io.texts({"mesh", "of polyhedra: STL file, or a list that is dealt in turn"}, species.meshes);
+  io.texts({"polyhedron_mesh", "another name for mesh"}, meshes);
+  io({"hull", "a mesh that is no convex body is taken by its hull"}, species.hull);
+  io({"equivalent_diameter", "of the sphere of equal volume: another name for diameter",
+      Dimension::kLength, Range::kPositive},
+     diameter);
+  if (!meshes.empty()) species.meshes = meshes;
+  if (diameter) species.diameter = diameter;
+}
+
 template <class Io>
 void fields(Io& io, ParticleSpec& species) {
   using enum Dimension;
   io({"name", "default: the material's name"}, species.name);
   io({"material", "of the particles", kNumber, Range::kAny, Need::kRequired}, species.material);
-  io.word({"shape", "of the particles"}, kShapeWords, species.shape);
-  io({"diameter", "one size for all", kLength, Range::kPositive}, species.diameter);
+  io({"shape", "of the particles"}, species.shape);
+  shape_fields(io, species);
+  io({"diameter", "one size for all; of polyhedra: equivalent_diameter", kLength, Range::kPositive},
+     species.diameter);
   io({"count", "particles of the species", kNumber, Range::kNotNegative}, species.count);
   io({"mass", "of the species", kMass, Range::kPositive}, species.mass);
   io({"filling_level", "bulk volume (porosity 0.4) over the mill's volume", kShare,

@@ -97,17 +97,19 @@ void check_amount(const SceneCheck& check, const std::string& path, const Partic
 
 void check_sizes(const SceneCheck& check, const std::string& path, ParticleSpec& species) {
   if (!check.good({path + ".shape"})) return;  // another shape has other sizes
-  std::vector<std::string> keys =
-      given_of(check, path, {"diameter", "sizes", "distribution", "csv", "entries"});
+  std::vector<std::string> keys = given_of(
+      check, path, {"diameter", "equivalent_diameter", "sizes", "distribution", "csv", "entries"});
   const bool entries = !species.explicit_particles.empty();
-  if (keys.size() == 2 && keys[0] == "diameter" && keys[1] == "entries") {
+  if (keys.size() == 2 && keys[0].ends_with("diameter") && keys[1] == "entries") {
     for (ExplicitParticle& particle : species.explicit_particles)
       if (particle.diameter == 0) particle.diameter = species.diameter.value_or(0);
     species.diameter.reset();
     keys.erase(keys.begin());
   }
   check_amount(check, path, species, keys);
-  if (any_spoiled(check, path, {"diameter", "sizes", "distribution", "csv", "entries"})) return;
+  if (any_spoiled(check, path,
+                  {"diameter", "equivalent_diameter", "sizes", "distribution", "csv", "entries"}))
+    return;
   if (keys.size() > 1)
     check.error(path + "." + keys[1],
                 fmt::format("'{}' and '{}' both say the sizes; give one", keys[0], keys[1]));
@@ -132,6 +134,19 @@ void check_material(const SceneCheck& check, const std::string& path, const Part
                                        "greater than 0",
                                        material.name));
   }
+}
+
+// Polyhedra need their mesh; a mesh without them is legal, so that shapes can be set to spheres.
+void check_shape(const SceneCheck& check, const std::string& path, const ParticleSpec& species) {
+  const std::vector<std::string> given = given_of(check, path, {"mesh", "polyhedron_mesh"});
+  if (given.size() == 2)
+    return check.error(path + ".polyhedron_mesh",
+                       "'mesh' and 'polyhedron_mesh' are the same; give one");
+  if (given.size() == 1)
+    for (const std::string& mesh : species.meshes) check.file(path + "." + given[0], mesh);
+  else if (has_polyhedra(species) && check.good({path + ".shape"}))
+    check.error(path, fmt::format("particles '{}' need 'mesh', the STL file of their polyhedra",
+                                  species.name));
 }
 
 void load_csv(const SceneCheck& check, const std::string& path, ParticleSpec& species) {
@@ -159,6 +174,7 @@ void check_particles(const SceneCheck& check) {
     const std::string path = fmt::format("particles[{}]", i);
     check.name(path + ".name", all[i].name, names);
     check_material(check, path, all[i]);
+    check_shape(check, path, all[i]);
     check_sizes(check, path, all[i]);
     check_classes(check, path, all[i]);
     check_distribution(check, path, all[i].distribution);

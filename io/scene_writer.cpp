@@ -114,6 +114,11 @@ class SceneWriter {
     put(key,
         present < 0 ? value_text(key, value) : quote(words[static_cast<std::size_t>(present)]));
   }
+  void texts(const Key& key, const std::vector<std::string>& value) {
+    std::string list;
+    for (const std::string& text : value) list += (list.empty() ? "" : ", ") + quote(text);
+    if (!value.empty()) put(key, value.size() == 1 ? list : "[" + list + "]");
+  }
   void axes(const Key& key, const bool (&value)[3]) { put(key, axes_text(value)); }
   void pair(const Key& key, const std::string& a, const std::string& b) {
     put(key, fmt::format("[{}, {}]", quote(a), quote(b)));
@@ -254,6 +259,9 @@ class KeyLister {
                         const std::function<void(int)>&) {
     add(key, joined(words) + " | " + kind(key), words[static_cast<std::size_t>(present)]);
   }
+  void texts(const Key& key, const std::vector<std::string>&) {
+    add(key, "text or list of texts", "");
+  }
   void axes(const Key& key, const bool (&)[3]) { add(key, "list of axes", "none"); }
   void pair(const Key& key, const std::string&, const std::string&) { add(key, "2 x text", ""); }
   void passing(const Key& key, const std::vector<std::pair<double, double>>&) {
@@ -358,7 +366,8 @@ SceneDraft draft_of(const Scene& scene) {
 
 bool needs_folder(const Scene& scene) {
   bool needs = !scene.meshes.empty() || !scene.run.start_file.empty();
-  for (const ParticleSpec& species : scene.particles) needs = needs || !species.csv.empty();
+  for (const ParticleSpec& species : scene.particles)
+    needs = needs || !species.csv.empty() || !species.meshes.empty();
   return needs;
 }
 

@@ -11,8 +11,7 @@ namespace quern {
 namespace {
 
 // Keys of the scene format that later versions read.
-constexpr const char* kLaterKeys[] = {"wear", "particles.mesh", "particles.equivalent_diameter",
-                                      "particles.polyhedron_mesh"};
+constexpr const char* kLaterKeys[] = {"wear"};
 
 // "particles[2].sizes[0]" -> "particles.sizes"
 std::string without_indices(const std::string& path) {
@@ -327,6 +326,24 @@ void TableReader::word_or_quantity(const Key& key, Words words, int, double& val
   } else {
     (*this)(key, value);
     if (usable(key)) choose(-1);
+  }
+}
+
+void TableReader::texts(const Key& key, std::vector<std::string>& value) {
+  const Node* node = table_->find(key.name);
+  if (!node || node->kind != NodeKind::kArray) {
+    std::string text;
+    (*this)(key, text);
+    if (!text.empty()) value = {text};
+    return;
+  }
+  fetch(key);
+  if (node->items.empty()) fail(key, *node, fmt::format("'{}' must not be empty", key.name));
+  for (const Node& item : node->items) {
+    if (item.kind == NodeKind::kString && !item.text.empty())
+      value.push_back(item.text);
+    else
+      fail(key, item, fmt::format("'{}' must hold texts, found {}", key.name, quoted(item)));
   }
 }
 

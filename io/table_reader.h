@@ -75,6 +75,7 @@ class TableReader {
   void word(const Key& key, Words words, std::string& value);
   void word_or_quantity(const Key& key, Words words, int present, double& value,
                         const std::function<void(int)>& choose);
+  void texts(const Key& key, std::vector<std::string>& value);  // one text, or a list of them
   void axes(const Key& key, bool (&value)[3]);
   void pair(const Key& key, std::string& a, std::string& b);
   void passing(const Key& key, std::vector<std::pair<double, double>>& value);

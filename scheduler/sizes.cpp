@@ -29,6 +29,7 @@ struct Stratum {
   double from = 0, to = 0;  // m
   NumberLaw law = NumberLaw::kUniform;
   double share = 0;  // of the species' mass
+  ShapeKind shape = ShapeKind::kSphere;
 };
 
 constexpr double kMostParticles = 1e9;
@@ -66,6 +67,7 @@ class SpeciesDraw {
     seed_.material = static_cast<std::uint16_t>(row - scene.materials.begin());
     seed_.species = static_cast<std::uint16_t>(species);
     seed_.velocity = scene.fill.velocity;
+    if (has_polyhedra(spec_) && spec_.meshes.empty()) fail("polyhedra need a mesh");
   }
 
   void draw() {
@@ -93,6 +95,7 @@ class SpeciesDraw {
       seed_.velocity = p.velocity;
       seed_.spin = p.spin;
       seed_.radius = 0.5 * p.diameter;
+      seed_.mesh = next_mesh(spec_.shape);
       out_.push_back(seed_);
     }
   }
@@ -100,7 +103,7 @@ class SpeciesDraw {
   void draw_counted_classes() {
     for (const SizeClass& c : spec_.sizes) {
       if (!c.count) fail("every size class needs a count, or every one a mass_share");
-      const Stratum s{c.from, c.to, NumberLaw::kUniform, 0};
+      const Stratum s{c.from, c.to, NumberLaw::kUniform, 0, shape_of(spec_, c)};
       check_interval(s);
       draw_count(s, *c.count);
     }
@@ -118,7 +121,13 @@ class SpeciesDraw {
     seed.radius =
         0.5 *
         diameter_at(s, CounterRandom(scene_.run.seed, RandomStream::kSize, out_.size()).uniform());
+    seed.mesh = next_mesh(s.shape);
     return seed;
+  }
+
+  std::uint16_t next_mesh(ShapeKind shape) const {
+    if (shape == ShapeKind::kSphere) return kNoMesh;
+    return static_cast<std::uint16_t>(out_.size() % spec_.meshes.size());
   }
 
   // Numbers in proportion to share / mean mass; the largest remainders get what rounding left.
@@ -168,11 +177,11 @@ class SpeciesDraw {
   std::vector<Stratum> make_strata() const {
     std::vector<Stratum> strata;
     if (spec_.diameter) {
-      strata.push_back({*spec_.diameter, *spec_.diameter, NumberLaw::kUniform, 1});
+      strata.push_back({*spec_.diameter, *spec_.diameter, NumberLaw::kUniform, 1, spec_.shape});
     } else if (!spec_.sizes.empty()) {
       for (const SizeClass& c : spec_.sizes) {
         if (!c.mass_share) fail("every size class needs a mass_share, or every one a count");
-        strata.push_back({c.from, c.to, NumberLaw::kUniform, *c.mass_share});
+        strata.push_back({c.from, c.to, NumberLaw::kUniform, *c.mass_share, shape_of(spec_, c)});
       }
     } else if (spec_.distribution.kind == DistributionKind::kPassingTable) {
       strata = curve_strata(spec_.distribution.passing);
@@ -223,7 +232,7 @@ class SpeciesDraw {
       if (!(to > from && above >= below)) {
         fail("a table of passing needs growing diameters and passing that does not fall");
       }
-      strata.push_back({from, to, NumberLaw::kInverseFourth, above - below});
+      strata.push_back({from, to, NumberLaw::kInverseFourth, above - below, spec_.shape});
     }
     return strata;
   }

@@ -3,7 +3,8 @@
 // The list is in the order of the ids: species by species, class by class as the scene lists them;
 // a distribution runs from its coarse end to its fine end. Particle i's diameter is a function of
 // (seed, i) and of its class. Positions are set for explicit particles only; scheduler/fill places
-// the rest. A species' diameters are those of spheres of equal volume.
+// the rest. A species' diameters are those of spheres of equal volume; its polyhedra are dealt its
+// meshes in turn by identity.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +14,8 @@
 
 namespace quern {
 
+inline constexpr std::uint16_t kNoMesh = 0xffff;
+
 struct ParticleSeed {
   Vec3 position = Vec3::Zero();  // m
   Vec3 velocity = Vec3::Zero();  // m/s
@@ -20,6 +23,7 @@ struct ParticleSeed {
   double radius = 0;             // m
   std::uint16_t material = 0;    // row of scene.materials
   std::uint16_t species = 0;     // row of scene.particles
+  std::uint16_t mesh = kNoMesh;  // row of the species' meshes; kNoMesh: a sphere
 };
 
 // Solid share of the bulk that a filling level counts (porosity 0.4).

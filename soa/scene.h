@@ -18,6 +18,11 @@ enum class EndKind { kWalls, kPeriodic, kOpen };
 enum class StartKind { kFill, kFile };
 enum class FillMethod { kSegment, kRandom, kRain };
 enum class SettleKind { kNone, kDuration, kUntilRest };
+enum class ShapeKind { kSphere, kPolyhedron };
+// Of two polyhedra: the longest chord of their overlap along the normal, or its whole width.
+enum class OverlapKind { kChord, kWidth };
+// Of two polyhedra: stiffness times overlap, or the gradient of an energy of overlap volume.
+enum class NormalModel { kStiffness, kVolume };
 
 // A rate over time: linear between (time, value) points, constant before the first and after the
 // last. A constant is one point. Values: rad/s for rotation, m/s for translation.
@@ -64,6 +69,11 @@ struct ContactSpec {
   std::optional<double> normal_stiffness, tangential_stiffness;  // N/m
   std::optional<double> restitution, sliding_friction;
   double rolling_friction = 0;
+  OverlapKind overlap = OverlapKind::kChord;
+  NormalModel normal_model = NormalModel::kStiffness;
+  // Pa, kVolume only; default: normal stiffness over the equivalent radius of the smaller body
+  std::optional<double> volume_stiffness;
+  bool patch_damping = true;  // dashpots over the area of a polyhedron's contact
   std::vector<PairCoefficients> pairs;
 };
 
@@ -106,11 +116,12 @@ struct BoxSpec {
   Motion motion;
 };
 
-// One size class: diameters uniform in [from, to]. Exactly one of count, mass_share is set.
+// One size class: diameters (of polyhedra: of the sphere of equal volume) uniform in [from, to]. Exactly one of count, mass_share is set.
 struct SizeClass {
   double from = 0, to = 0;  // m
   std::optional<long> count;
   std::optional<double> mass_share;  // of the species' mass
+  std::optional<ShapeKind> shape = std::nullopt;  // default: that of the species
 };
 
 enum class DistributionKind { kNone, kPassingTable, kRosinRammler };
@@ -133,7 +144,9 @@ struct ExplicitParticle {
 // the counts inside sizes, or the explicit list.
 struct ParticleSpec {
   std::string name, material;
-  std::string shape = "sphere";
+  ShapeKind shape = ShapeKind::kSphere;
+  std::vector<std::string> meshes;  // STL files of its polyhedra, dealt in turn by identity
+  bool hull = false;                // meshes that are no convex body are taken by their hull
   std::optional<double> diameter;  // m
   std::vector<SizeClass> sizes;
   SizeDistribution distribution;
@@ -143,6 +156,17 @@ struct ParticleSpec {
   std::vector<ExplicitParticle> explicit_particles;  // also filled from `csv` by the reader
   std::string csv;
 };
+
+inline ShapeKind shape_of(const ParticleSpec& species, const SizeClass& size) {
+  return size.shape.value_or(species.shape);
+}
+
+inline bool has_polyhedra(const ParticleSpec& species) {
+  if (species.sizes.empty()) return species.shape == ShapeKind::kPolyhedron;
+  for (const SizeClass& size : species.sizes)
+    if (shape_of(species, size) == ShapeKind::kPolyhedron) return true;
+  return false;
+}
 
 struct FillSpec {
   FillMethod method = FillMethod::kSegment;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 
 #include "io/log.h"
 #include "io/mesh_reader.h"
@@ -13,18 +14,54 @@ namespace quern {
 
 namespace {
 
+std::string absolute_path(const Scene& scene, const std::string& file) {
+  const std::filesystem::path path = std::filesystem::path(scene.folder) / file;
+  return std::filesystem::absolute(path).lexically_normal().string();
+}
+
+// Row of the shape; kNoIndex, and lines in `errors`, where the file gives none.
+Index add_shape(const std::string& path, const ShapeOptions& options, std::vector<Shape>& shapes,
+                std::vector<std::string>& errors) {
+  try {
+    ShapeReport report;
+    shapes.push_back(read_shape(path, options, report));
+    for (const std::string& line : report.warnings) log_warn(line);
+    return static_cast<Index>(shapes.size() - 1);
+  } catch (const InputErrors& problems) {
+    errors.insert(errors.end(), problems.lines.begin(), problems.lines.end());
+  } catch (const UserError& problem) {
+    errors.push_back(std::string("error: ") + problem.what());
+  }
+  return kNoIndex;
+}
+
+// A file that serves several species is read once for each of its two options.
+void load_shapes(LoadedScene& loaded, std::vector<std::string>& errors) {
+  std::map<std::pair<std::string, bool>, Index> known;
+  for (ParticleSpec& species : loaded.scene.particles) {
+    std::vector<Index>& rows = loaded.species_shapes.emplace_back();
+    if (!has_polyhedra(species)) continue;
+    for (std::string& mesh : species.meshes) {
+      mesh = absolute_path(loaded.scene, mesh);
+      const auto [at, fresh] = known.try_emplace({mesh, species.hull}, kNoIndex);
+      if (fresh) at->second = add_shape(mesh, {species.hull}, loaded.shapes, errors);
+      rows.push_back(at->second);
+    }
+  }
+}
+
 LoadedScene finish(SceneResult result) {
   for (const std::string& line : result.warnings) log_warn(line);
   LoadedScene loaded;
   loaded.scene = std::move(result.scene);
   std::vector<std::string> errors = std::move(result.errors);
   for (MeshWallSpec& mesh : loaded.scene.meshes) {
-    const std::filesystem::path path = std::filesystem::path(loaded.scene.folder) / mesh.path;
-    mesh.path = std::filesystem::absolute(path).lexically_normal().string();
+    mesh.path = absolute_path(loaded.scene, mesh.path);
     MeshResult read = read_stl(mesh.path, mesh.scale);
     errors.insert(errors.end(), read.errors.begin(), read.errors.end());
     loaded.meshes.push_back(std::move(read.triangles));
   }
+  load_shapes(loaded, errors);
   if (!errors.empty()) throw InputErrors{errors};
   loaded.seeds = draw_sizes(loaded.scene);
   loaded.dt = choose_time_step(loaded.scene, loaded.seeds);

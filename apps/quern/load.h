@@ -18,8 +18,10 @@ struct InputErrors {
 struct LoadedScene {
   Scene scene;
   std::vector<std::vector<Triangle>> meshes;
-  std::vector<ParticleSeed> seeds;  // drawn, not placed
-  double dt = 0;                    // s
+  std::vector<Shape> shapes;                       // every mesh of polyhedra once
+  std::vector<std::vector<Index>> species_shapes;  // mesh k of a species -> row of shapes
+  std::vector<ParticleSeed> seeds;                 // drawn, not placed
+  double dt = 0;                                   // s
 };
 
 // Reads the scene and its meshes and draws the particles. Prints warnings; throws InputErrors.

@@ -49,6 +49,7 @@ TEST(Quantity, ConvertsEveryKindOfUnit) {
       {"-9.81 m/s^2", kAcceleration, -9.81},
       {"370 HV", kHardness, 370},
       {"2 mJ", kEnergy, 2e-3},
+      {"3 GPa", kPressure, 3e9},
       {"30 %", kShare, 0.3},
       {"0.3", kShare, 0.3},
       {"+3 m", kLength, 3},

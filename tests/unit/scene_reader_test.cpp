@@ -110,6 +110,15 @@ TEST(SceneReader, WarnsOfARestitutionThatClampedContactsCannotReach) {
   EXPECT_EQ(parse(changed(low, "law =", "normal_force = \"unclamped\"\nlaw =")).warnings, Lines{});
 }
 
+TEST(SceneReader, WarnsOfAVolumeStiffnessThatNothingUses) {
+  const std::string text =
+      changed(kGoodScene, "law =", "volume_stiffness = \"1 GPa\"\nlaw =");
+  EXPECT_EQ(parse(text).warnings,
+            Lines{"mill.toml:13:20: warning: 'volume_stiffness' is not used: it needs "
+                  "normal_model = \"volume\""});
+  EXPECT_EQ(parse(changed(text, "law =", "normal_model = \"volume\"\nlaw =")).warnings, Lines{});
+}
+
 // --- good scenes
 
 TEST(SceneReader, ConvertsToSi) {

@@ -56,6 +56,10 @@ void expect_same(const ContactSpec& a, const ContactSpec& b) {
   EXPECT_EQ(a.restitution, b.restitution);
   EXPECT_EQ(a.sliding_friction, b.sliding_friction);
   EXPECT_EQ(a.rolling_friction, b.rolling_friction);
+  EXPECT_EQ(a.overlap, b.overlap);
+  EXPECT_EQ(a.normal_model, b.normal_model);
+  EXPECT_EQ(a.volume_stiffness, b.volume_stiffness);
+  EXPECT_EQ(a.patch_damping, b.patch_damping);
   ASSERT_EQ(a.pairs.size(), b.pairs.size());
   for (std::size_t i = 0; i < a.pairs.size(); ++i) {
     const PairCoefficients &p = a.pairs[i], &q = b.pairs[i];
@@ -89,6 +93,8 @@ void expect_same(const ParticleSpec& a, const ParticleSpec& b) {
   EXPECT_EQ(a.name, b.name);
   EXPECT_EQ(a.material, b.material);
   EXPECT_EQ(a.shape, b.shape);
+  EXPECT_EQ(a.meshes, b.meshes);
+  EXPECT_EQ(a.hull, b.hull);
   EXPECT_EQ(a.diameter, b.diameter);
   EXPECT_EQ(a.count, b.count);
   EXPECT_EQ(a.mass, b.mass);
@@ -100,6 +106,7 @@ void expect_same(const ParticleSpec& a, const ParticleSpec& b) {
     EXPECT_EQ(a.sizes[i].to, b.sizes[i].to);
     EXPECT_EQ(a.sizes[i].count, b.sizes[i].count);
     EXPECT_EQ(a.sizes[i].mass_share, b.sizes[i].mass_share);
+    EXPECT_EQ(a.sizes[i].shape, b.sizes[i].shape);
   }
   EXPECT_EQ(a.distribution.kind, b.distribution.kind);
   EXPECT_EQ(a.distribution.passing, b.distribution.passing);
@@ -273,6 +280,10 @@ tangential_stiffness = "0.4 MN/m"
 restitution = 0.31
 sliding_friction = 0.32
 rolling_friction = 0.033
+overlap = "width"
+normal_model = "volume"
+volume_stiffness = "3 GPa"
+patch_damping = false
 [[contact.pair]]
 between = ["ore", "steel-2"]
 normal_stiffness = "2 MN/m"
@@ -333,6 +344,8 @@ sizes = [
   { from = "3 mm", to = "7 mm", mass_share = 0.7 },
 ]
 mass = "3 kg"
+polyhedron_mesh = "points.csv"
+hull = true
 [[particles]]
 name = "b"
 material = "ore"
@@ -355,6 +368,12 @@ entries = [
   { position = ["0 m", "1 mm", "2 mm"], velocity = ["1 m/s", "2 m/s", "3 m/s"], spin = ["1 rad/s", "2 rpm", "3 Hz"] },
   { position = ["0 m", "1 mm", "9 mm"], diameter = "4 mm" },
 ]
+[[particles]]
+name = "f"
+material = "ore"
+equivalent_diameter = "5 mm"
+mesh = ["points.csv", "./points.csv"]
+count = 3
 [output]
 series_every = "3 ms"
 frames_every = "70 ms"
@@ -368,6 +387,9 @@ TEST(SceneReader, ReadsEveryKeyAndWritesItBack) {
   const SceneResult result = parse(text);
   ASSERT_EQ(result.errors, Lines{});
   EXPECT_EQ(result.scene.particles[3].explicit_particles.size(), 2u);
+  EXPECT_EQ(result.scene.particles[0].meshes, Lines{"points.csv"});
+  EXPECT_EQ(result.scene.particles[5].meshes, (Lines{"points.csv", "./points.csv"}));
+  EXPECT_EQ(result.scene.particles[5].diameter, 0.005);
   EXPECT_NEAR(result.scene.planes[0].normal.norm(), 1, 1e-15);
   expect_round_trip(result.scene);
   expect_round_trip(parse(kGoodScene).scene);

@@ -73,6 +73,32 @@ std::string error_of(const Scene& scene) {
   return "";
 }
 
+TEST(Sizes, DealTheMeshesInTurnByIdentity) {
+  ParticleSpec balls = ore();
+  balls.diameter = 0.125;
+  balls.count = 2;
+  ParticleSpec rock = ore();
+  rock.meshes = {"a.stl", "b.stl", "c.stl"};
+  rock.sizes = {counted(0.01, 0.02, 3), counted(0.02, 0.03, 5)};
+  rock.sizes[1].shape = ShapeKind::kPolyhedron;
+  Scene scene = scene_with(balls);
+  scene.particles.push_back(rock);
+  std::vector<std::uint16_t> meshes;
+  for (const ParticleSeed& p : draw_sizes(scene)) meshes.push_back(p.mesh);
+  const std::uint16_t ball = kNoMesh;  // five spheres come first, so identity 5 has mesh 5 mod 3
+  EXPECT_EQ(meshes, (std::vector<std::uint16_t>{ball, ball, ball, ball, ball, 2, 0, 1, 2, 0}));
+
+  scene.particles[1].shape = ShapeKind::kPolyhedron;  // a class may say otherwise
+  scene.particles[1].sizes[1].shape = ShapeKind::kSphere;
+  meshes.clear();
+  for (const ParticleSeed& p : draw_sizes(scene)) meshes.push_back(p.mesh);
+  EXPECT_EQ(meshes,
+            (std::vector<std::uint16_t>{ball, ball, 2, 0, 1, ball, ball, ball, ball, ball}));
+
+  scene.particles[1].meshes.clear();
+  EXPECT_EQ(error_of(scene), "particles 'ore': polyhedra need a mesh");
+}
+
 TEST(Sizes, FollowTheOrderOfSpeciesAndClasses) {
   ParticleSpec balls = ore();
   balls.material = "steel";
