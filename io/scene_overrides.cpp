@@ -54,6 +54,8 @@ void name_entries(Node& root, const char* key, const char* source, const char* f
 // The ways to say one thing of which a scene uses one: setting one drops the others.
 constexpr const char* kAlternatives[][3] = {{"duration", "revolutions", ""},
                                             {"record_from", "record_from_revolution", ""},
+                                            {"diameter", "equivalent_diameter", ""},
+                                            {"mesh", "polyhedron_mesh", ""},
                                             {"count", "mass", "filling_level"}};
 
 void drop_alternatives(Node& table, const std::string& key) {

@@ -10,7 +10,7 @@
 #include <numeric>
 
 extern "C" {
-#include "libqhull_r/qhull_ra.h"
+#include <libqhull_r/qhull_ra.h>
 }
 
 namespace quern {

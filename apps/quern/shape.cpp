@@ -45,7 +45,7 @@ void print_measures(const Shape& shape, const ShapeReport& report) {
                           *report.mesh_volume);
   }
   print("volume", volume);
-  print("equivalent diameter", fmt::format("{:.8g}", 2 * r));
+  print("equivalent diameter", fmt::format("{:.6g}", 2 * r));
   print("centroid", vector_text(shape.file_centroid));
   print("inertia / m r^2", vector_text(shape.inertia) + " (r: equivalent radius; sphere 0.4)");
   for (int k = 0; k < 3; ++k)

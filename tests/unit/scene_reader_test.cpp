@@ -219,13 +219,15 @@ TEST(Overrides, MakeThePairAndTheTableThatAreNotThere) {
 TEST(Overrides, DropTheOtherWaysToSayTheSame) {
   const SceneResult result =
       parse(kGoodScene, {"run.revolutions=4", "run.record_from_revolution=1",
-                         "particles.ball.mass=1 kg", "particles.ore.filling_level=0.2"});
+                         "particles.ball.mass=1 kg", "particles.ore.filling_level=0.2",
+                         "particles.ore.equivalent_diameter=14 mm"});
   ASSERT_EQ(result.errors, Lines{});
   EXPECT_FALSE(result.scene.run.duration);
   EXPECT_FALSE(result.scene.run.record_from);
   EXPECT_EQ(result.scene.run.revolutions, 4);
   EXPECT_FALSE(result.scene.particles[1].count);
   EXPECT_EQ(result.scene.particles[1].mass, 1);
+  EXPECT_EQ(result.scene.particles[0].diameter, 0.014);
 }
 
 TEST(Overrides, NameThemselvesInTheirMessages) {
