@@ -1,15 +1,16 @@
-// Checks in the order in which they can be made, then the layout of soa/shapes.h; see hull.h.
+// Checks in the order in which they can be made; see hull.h.
 #include "kernels/hull.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <map>
+#include <functional>
 
 #include "kernels/closed_mesh.h"
 #include "kernels/mass_properties.h"
 #include "kernels/polyhedron.h"
+#include "kernels/shape_layout.h"
 
 namespace quern {
 namespace {
@@ -19,7 +20,6 @@ constexpr double kSameVolume = 1e-4;  // mesh and hull of a convex body
 constexpr double kNotableRatio = 1.02;
 constexpr double kFlatVolume = 1e-12;  // over R^3
 constexpr double kFlatWidth = 1e-4;    // over the diameter
-constexpr std::size_t kMostCorners = 65535;
 constexpr const char* kTakeHull = "; hull = true takes its convex hull";
 
 std::string number(double value, int digits = 4) {
@@ -73,7 +73,9 @@ class Builder {
     check_thickness();
     check_size();
     check_convex();
-    return lay_out();
+    Shape shape = lay_out_shape(body_, name_);
+    measure_box(shape);
+    return shape;
   }
 
  private:
@@ -207,98 +209,11 @@ class Builder {
         static_cast<Index>(triangles - std::min(triangles, body_.face.size()));
   }
 
-  Shape lay_out() {
-    const PrincipalAxes principal = principal_axes(mass_.inertia);
-    Shape shape;
-    shape.name = name_;
-    shape.vertices = report_.vertices;
-    shape.faces = report_.faces;
-    shape.edges = report_.edges;
-    shape.file_centroid = mass_.centroid;
-    shape.file_axes = principal.axes;
-    shape.file_scale = std::cbrt(0.75 * mass_.volume / kPi);
-    shape.inertia = principal.moments / (mass_.volume * shape.file_scale * shape.file_scale);
-    lay_out_vertices(shape);
-    lay_out_planes(shape);
-    lay_out_faces(shape);
-    lay_out_edges(shape);
-    return shape;
-  }
-  void lay_out_vertices(Shape& shape) {
-    for (auto* column : {&shape.x, &shape.y, &shape.z}) column->reset(shape.padded_vertices());
+  void measure_box(const Shape& shape) {
     Eigen::AlignedBox3d box;
-    for (std::size_t k = 0; k < shape.padded_vertices(); ++k) {
-      const Vec3& file = body_.vertex[k < shape.vertices ? k : 0];
-      const Vec3 v = shape.file_axes.transpose() * (file - shape.file_centroid) / shape.file_scale;
-      shape.x[k] = v[0];
-      shape.y[k] = v[1];
-      shape.z[k] = v[2];
-      shape.bound_radius = std::max(shape.bound_radius, v.norm());
-      box.extend(v);
-    }
+    for (Index v = 0; v < shape.vertices; ++v) box.extend(shape.vertex(v));
     report_.box = shape.file_scale * box.sizes();
     std::sort(report_.box.data(), report_.box.data() + 3, std::greater<>());
-  }
-  void lay_out_planes(Shape& shape) const {
-    for (auto* column : {&shape.nx, &shape.ny, &shape.nz, &shape.d})
-      column->reset(shape.padded_faces());
-    shape.inner_radius = kFarPlane;
-    for (std::size_t f = 0; f < shape.padded_faces(); ++f) {
-      Vec3 n = Vec3::Zero();
-      double d = kFarPlane;
-      if (f < shape.faces) {
-        n = shape.file_axes.transpose() * body_.normal[f];
-        d = -kFarPlane;
-        for (const Index v : body_.face[f]) d = std::max(d, n.dot(shape.vertex(v)));
-        shape.inner_radius = std::min(shape.inner_radius, d);
-      }
-      shape.nx[f] = n[0];
-      shape.ny[f] = n[1];
-      shape.nz[f] = n[2];
-      shape.d[f] = d;
-    }
-  }
-  void lay_out_faces(Shape& shape) const {
-    shape.face_begin.reset(shape.faces + 1);
-    shape.face_vertex.reset(2 * shape.edges);
-    shape.face_words = (shape.faces + 63) / 64;
-    shape.vertex_faces.reset(std::size_t{shape.vertices} * shape.face_words);
-    shape.vertex_faces.fill(0);
-    std::uint16_t k = 0;
-    for (Index f = 0; f < shape.faces; ++f) {
-      shape.face_begin[f] = k;
-      for (const Index v : body_.face[f]) {
-        shape.face_vertex[k++] = static_cast<std::uint16_t>(v);
-        shape.vertex_faces[std::size_t{v} * shape.face_words + f / 64] |= std::uint64_t{1}
-                                                                          << f % 64;
-      }
-    }
-    shape.face_begin[shape.faces] = k;
-  }
-  void lay_out_edges(Shape& shape) const {
-    shape.face_edge.reset(2 * shape.edges);
-    shape.edge_vertex.reset(2 * shape.edges);
-    shape.edge_face.reset(2 * shape.edges);
-    std::map<std::pair<Index, Index>, std::uint16_t> edge_of;
-    for (const auto& face : body_.face)
-      for (std::size_t k = 0; k < face.size(); ++k)
-        edge_of.try_emplace(std::minmax({face[k], face[(k + 1) % face.size()]}), std::uint16_t{0});
-    QUERN_CHECK(edge_of.size() == shape.edges);
-    std::uint16_t e = 0;
-    for (auto& [ends, id] : edge_of) {
-      shape.edge_vertex[2 * std::size_t{e}] = static_cast<std::uint16_t>(ends.first);
-      shape.edge_vertex[2 * std::size_t{e} + 1] = static_cast<std::uint16_t>(ends.second);
-      id = e++;
-    }
-    for (Index f = 0, k = 0; f < shape.faces; ++f) {
-      const auto& face = body_.face[f];
-      for (std::size_t c = 0; c < face.size(); ++c, ++k) {
-        const Index from = face[c], to = face[(c + 1) % face.size()];
-        const std::uint16_t id = edge_of.at(std::minmax(from, to));
-        shape.face_edge[k] = id;
-        shape.edge_face[2 * std::size_t{id} + (from < to ? 0 : 1)] = static_cast<std::uint16_t>(f);
-      }
-    }
   }
 
   const std::string& name_;

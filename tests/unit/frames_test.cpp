@@ -45,6 +45,21 @@ std::vector<T> read_array(const Hdf5File& file, const std::string& name, std::si
 
 using Int64s = std::vector<std::int64_t>;
 
+TEST(Frames, ASurfaceIsTrianglesWithTheirFaces) {
+  const TempFolder folder;
+  write_surface(folder / "cube.hdf",
+                {{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0.5}, {0, 1, 2, 0, 2, 3}, {7, 9}});
+  const Hdf5File file("frame", folder / "cube.hdf", FileMode::kRead);
+  EXPECT_EQ(file.text_attribute("VTKHDF", "Type"), "UnstructuredGrid");
+  EXPECT_EQ(read_array<std::int64_t>(file, "NumberOfPoints", 1), Int64s{4});
+  EXPECT_EQ(read_array<std::int64_t>(file, "NumberOfCells", 1), Int64s{2});
+  EXPECT_EQ(read_array<std::uint8_t>(file, "Types", 2), (std::vector<std::uint8_t>{5, 5}));
+  EXPECT_EQ(read_array<std::int64_t>(file, "Connectivity", 6), (Int64s{0, 1, 2, 0, 2, 3}));
+  EXPECT_EQ(read_array<double>(file, "Points", 4, 3)[11], 0.5);
+  EXPECT_EQ(read_array<std::uint16_t>(file, "CellData/face", 2),
+            (std::vector<std::uint16_t>{7, 9}));
+}
+
 TEST(Frames, ParticlesAreVertexCellsWithTheirFields) {
   const TempFolder folder;
   FrameWriter(folder / "frames").write(123, particles_at(0.5, 3), {});
