@@ -18,6 +18,8 @@
 #define QUERN_POLYHEDRON_SPHERE_INL_H_
 #endif
 
+#include <cmath>
+
 #include "kernels/pairs/polyhedron_sphere.h"
 #include "kernels/simd-inl.h"
 
@@ -83,19 +85,32 @@ struct LaneV {
   hn::Vec<D64I> from;
 };
 
+// The kept lanes moved to the front, one instruction with AVX-512. (Highway 1.0.3 has two ways of its
+// own: a store that takes 140 cycles on Zen 4, and one that copies a table of 4 KiB.)
+template <class V, class M>
+HWY_INLINE V to_front(V v, M keep) {
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+  const D64 d;
+  const auto bits = hn::BitCast(d, v);
+  return hn::BitCast(hn::DFromV<V>(), hn::Vec<D64>{_mm512_maskz_compress_pd(keep.raw, bits.raw)});
+#else
+  return hn::Compress(v, hn::RebindMask(hn::DFromV<V>(), keep));
+#endif
+}
+
 template <class V, class M>
 HWY_INLINE void pack(const LaneV<V>& lane, M keep, PackedLanes& to) {
   const D64 d;
   const D64I di;
   const std::size_t at = to.count;
-  hn::CompressStore(lane.center.x, keep, d, to.center[0] + at);
-  hn::CompressStore(lane.center.y, keep, d, to.center[1] + at);
-  hn::CompressStore(lane.center.z, keep, d, to.center[2] + at);
-  hn::CompressStore(lane.radius, keep, d, to.radius + at);
-  hn::CompressStore(lane.plane.height, keep, d, to.height + at);
-  const auto keep_index = hn::RebindMask(di, keep);
-  hn::CompressStore(lane.plane.face, keep_index, di, to.face + at);
-  to.count += hn::CompressStore(lane.from, keep_index, di, to.from + at);
+  hn::StoreU(to_front(lane.center.x, keep), d, to.center[0] + at);
+  hn::StoreU(to_front(lane.center.y, keep), d, to.center[1] + at);
+  hn::StoreU(to_front(lane.center.z, keep), d, to.center[2] + at);
+  hn::StoreU(to_front(lane.radius, keep), d, to.radius + at);
+  hn::StoreU(to_front(lane.plane.height, keep), d, to.height + at);
+  hn::StoreU(to_front(lane.plane.face, keep), di, to.face + at);
+  hn::StoreU(to_front(lane.from, keep), di, to.from + at);
+  to.count += hn::CountTrue(d, keep);
 }
 
 // The last vector is filled up with a sphere of radius 0 in the centroid, which raises nothing.
@@ -209,18 +224,18 @@ struct ClosestV {
   Vec3V<V> apart;  // centre minus closest point
 };
 
-// Lowers `best` to the closest point of edge e.
+// Lowers each lane of `best` to the closest point of its own edge of those that begin at `at`.
 template <class V>
-HWY_INLINE void closest_on_edge(const Shape& s, std::size_t e, const Vec3V<V>& center,
-                                ClosestV<V>& best) {
+HWY_INLINE void closest_on_edges(const Shape& s, std::size_t at, const Vec3V<V>& center,
+                                 ClosestV<V>& best) {
   const D64 d;
-  const std::size_t a = s.edge_vertex.data()[2 * e], b = s.edge_vertex.data()[2 * e + 1];
-  const double ax = s.x.data()[a], ay = s.y.data()[a], az = s.z.data()[a];
-  const double sx = s.x.data()[b] - ax, sy = s.y.data()[b] - ay, sz = s.z.data()[b] - az;
-  const V inverse = hn::Set(d, 1 / (sx * sx + sy * sy + sz * sz));
-  const Vec3V<V> side = {hn::Set(d, sx), hn::Set(d, sy), hn::Set(d, sz)};
-  const Vec3V<V> arm = center - Vec3V<V>{hn::Set(d, ax), hn::Set(d, ay), hn::Set(d, az)};
-  const V along = hn::Mul(inverse, dot(side, arm));
+  const Vec3V<V> side = {hn::Load(d, s.edge_side[0].data() + at),
+                         hn::Load(d, s.edge_side[1].data() + at),
+                         hn::Load(d, s.edge_side[2].data() + at)};
+  const Vec3V<V> arm = center - Vec3V<V>{hn::Load(d, s.edge_at[0].data() + at),
+                                         hn::Load(d, s.edge_at[1].data() + at),
+                                         hn::Load(d, s.edge_at[2].data() + at)};
+  const V along = hn::Mul(dot(side, arm), hn::Load(d, s.edge_inverse2.data() + at));
   const V t = hn::Min(hn::Max(along, hn::Zero(d)), hn::Set(d, 1));
   const Vec3V<V> apart = {hn::NegMulAdd(t, side.x, arm.x), hn::NegMulAdd(t, side.y, arm.y),
                           hn::NegMulAdd(t, side.z, arm.z)};
@@ -232,31 +247,31 @@ HWY_INLINE void closest_on_edge(const Shape& s, std::size_t e, const Vec3V<V>& c
                 hn::IfThenElse(nearer, apart.z, best.apart.z)};
 }
 
-// Stage 3: the least over all edges. On the surface to rounding, stage 2's answer stays.
+// Stage 3: the least over all edges, a lane each. On the surface to rounding, stage 2's answer stays.
 HWY_INLINE void find_edges(const Shape& s, const PackedLanes& beside, FoundLanes& found) {
   const D64 d;
   using V = hn::Vec<D64>;
-  const V zero = hn::Zero(d);
-  for (std::size_t at = 0; at < beside.count; at += hn::Lanes(d)) {
-    const LaneV<V> lane = load_lane(beside, at);
-    ClosestV<V> best{hn::Set(d, kFarPlane), {zero, zero, zero}};
-    for (std::size_t e = 0; e < s.edges; ++e) closest_on_edge(s, e, lane.center, best);
-    const V distance = hn::Sqrt(best.distance2);
-    const auto off = hn::Gt(distance, hn::Mul(hn::Set(d, kOnTheSurface), lane.radius));
-    const V one_over = hn::Div(hn::Set(d, 1), hn::IfThenElse(off, distance, hn::Set(d, 1)));
-    const Vec3V<V> normal = scale(one_over, best.apart);
-    HWY_ALIGN double row[4][hn::MaxLanes(D64())];
-    hn::Store(normal.x, d, row[0]);
-    hn::Store(normal.y, d, row[1]);
-    hn::Store(normal.z, d, row[2]);
-    hn::Store(hn::IfThenElse(off, distance, zero), d, row[3]);
-    const std::size_t lanes = HWY_MIN(hn::Lanes(d), beside.count - at);
-    for (std::size_t k = 0; k < lanes; ++k) {
-      if (!(row[3][k] > 0)) continue;
-      const auto to = static_cast<std::size_t>(beside.from[at + k]);
-      for (int axis = 0; axis < 3; ++axis) found.normal[axis][to] = row[axis][k];
-      found.distance[to] = row[3][k];
+  for (std::size_t k = 0; k < beside.count; ++k) {
+    const Vec3V<V> center = {hn::Set(d, beside.center[0][k]), hn::Set(d, beside.center[1][k]),
+                             hn::Set(d, beside.center[2][k])};
+    ClosestV<V> best{hn::Set(d, kFarPlane), {center.x, center.y, center.z}};
+    for (std::size_t at = 0; at < s.edges; at += hn::Lanes(d)) {
+      closest_on_edges(s, at, center, best);
     }
+    HWY_ALIGN double row[4][hn::MaxLanes(D64())];
+    hn::Store(best.apart.x, d, row[0]);
+    hn::Store(best.apart.y, d, row[1]);
+    hn::Store(best.apart.z, d, row[2]);
+    hn::Store(best.distance2, d, row[3]);
+    std::size_t least = 0;
+    for (std::size_t lane = 1; lane < hn::Lanes(d); ++lane) {
+      least = row[3][lane] < row[3][least] ? lane : least;
+    }
+    const double distance = std::sqrt(row[3][least]);
+    if (!(distance > kOnTheSurface * beside.radius[k])) continue;
+    const auto to = static_cast<std::size_t>(beside.from[k]);
+    for (int axis = 0; axis < 3; ++axis) found.normal[axis][to] = row[axis][least] / distance;
+    found.distance[to] = distance;
   }
 }
 
