@@ -150,7 +150,8 @@ class Fcl final : public Peer {
     geometry_.clear();
     use_.clear();
     for (const BodyPair& p : pairs) {
-      use_.emplace_back(made_for(geometry_, p.a, fcl_geometry), made_for(geometry_, p.b, fcl_geometry));
+      use_.emplace_back(made_for(geometry_, p.a, fcl_geometry),
+                        made_for(geometry_, p.b, fcl_geometry));
     }
   }
   Hit touch(std::size_t pair) override {
@@ -219,10 +220,11 @@ class Bullet final : public Peer {
   static btTransform pose_of(const ShapePose& pose) {
     btMatrix3x3 m;
     for (int r = 0; r < 3; ++r) {
-      m[r].setValue(btScalar(pose.turn(r, 0)), btScalar(pose.turn(r, 1)), btScalar(pose.turn(r, 2)));
+      m[r].setValue(btScalar(pose.turn(r, 0)), btScalar(pose.turn(r, 1)),
+                    btScalar(pose.turn(r, 2)));
     }
-    return btTransform(m, btVector3(btScalar(pose.place.x()), btScalar(pose.place.y()),
-                                    btScalar(pose.place.z())));
+    return btTransform(
+        m, btVector3(btScalar(pose.place.x()), btScalar(pose.place.y()), btScalar(pose.place.z())));
   }
 
   std::vector<BodyPair> pairs_;

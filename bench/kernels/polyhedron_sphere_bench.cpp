@@ -1,10 +1,10 @@
 // Polyhedron against sphere, ours beside libccd, FCL and Bullet, on the same pairs, one core.
 //
-// Rocks of 12 faces and 20 vertices; spheres all about them with a given overlap or gap, of the rock's
-// size and of a fifth of it. Ours takes them in groups about one rock, as listed pairs come; the others
-// take pairs. Before anything is timed every program's hits and depths are compared with the plain
-// kernel's and the differences printed; ours must agree to rounding, or nothing is timed. Times are per
-// pair, poses included; run with --benchmark_repetitions=9 for medians.
+// Rocks of 12 faces and 20 vertices; spheres all about them with a given overlap or gap, of the
+// rock's size and of a fifth of it. Ours takes them in groups about one rock, as listed pairs come;
+// the others take pairs. Before anything is timed every program's hits and depths are compared with
+// the plain kernel's and the differences printed; ours must agree to rounding, or nothing is timed.
+// Times are per pair, poses included; run with --benchmark_repetitions=9 for medians.
 #include <benchmark/benchmark.h>
 
 #include <cstdio>
@@ -21,15 +21,13 @@ constexpr std::size_t kPairs = 960;
 
 struct Case {
   const char* name;
-  double size;      // sphere radius over the rock's scale
-  double overlap;   // over the sphere's radius; negative: a gap
+  double size;     // sphere radius over the rock's scale
+  double overlap;  // over the sphere's radius; negative: a gap
 };
-constexpr Case kCases[] = {{"equal size, overlap 1e-3", 1, 1e-3},
-                           {"equal size, gap 1e-2", 1, -1e-2},
-                           {"equal size, gap 0.3", 1, -0.3},
-                           {"small sphere, overlap 1e-3", 0.2, 1e-3},
-                           {"small sphere, gap 1e-2", 0.2, -1e-2},
-                           {"small sphere, gap 0.3", 0.2, -0.3}};
+constexpr Case kCases[] = {
+    {"equal size, overlap 1e-3", 1, 1e-3},  {"equal size, gap 1e-2", 1, -1e-2},
+    {"equal size, gap 0.3", 1, -0.3},       {"small sphere, overlap 1e-3", 0.2, 1e-3},
+    {"small sphere, gap 1e-2", 0.2, -1e-2}, {"small sphere, gap 0.3", 0.2, -0.3}};
 
 const std::vector<Shape>& rocks() {
   static const std::vector<Shape> all = [] {
@@ -149,9 +147,10 @@ void compare_peers(const Case& c, const std::vector<std::unique_ptr<peers::Peer>
                   set.pairs.size());
       continue;
     }
-    std::printf("%-28s %-22s wrong hits %zu of %zu; depth error median %.1e max %.1e; normal %.1e %.1e\n",
-                c.name, peer->name(), wrong_hit, set.pairs.size(), error[error.size() / 2],
-                error.back(), turned[turned.size() / 2], turned.back());
+    std::printf(
+        "%-28s %-22s wrong hits %zu of %zu; depth error median %.1e max %.1e; normal %.1e %.1e\n",
+        c.name, peer->name(), wrong_hit, set.pairs.size(), error[error.size() / 2], error.back(),
+        turned[turned.size() / 2], turned.back());
   }
 }
 
@@ -184,7 +183,8 @@ void time_peer(benchmark::State& state, const Case& c, peers::Peer& peer) {
   const Groups set(c, 24);
   peer.load(set.pairs);
   for (auto unused : state) {
-    for (std::size_t k = 0; k < set.pairs.size(); ++k) benchmark::DoNotOptimize(peer.touch(k).depth);
+    for (std::size_t k = 0; k < set.pairs.size(); ++k)
+      benchmark::DoNotOptimize(peer.touch(k).depth);
   }
   report(state, set.pairs.size());
 }

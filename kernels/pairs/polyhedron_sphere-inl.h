@@ -1,15 +1,18 @@
 // Spheres near one polyhedron, in two stages with different lanes.
 //
-//   1 planes  lanes are spheres: the highest plane over each centre. Farther than the radius: apart,
+//   1 planes  lanes are spheres: the highest plane over each centre. Farther than the radius:
+//   apart,
 //             and that is all that most listed pairs cost. Planes are the same for all lanes.
 //   2 point   the few that are left, one at a time; lanes are planes, then edges. The foot of the
-//             centre on its highest plane is the closest point if it lies in the body: the distance to
-//             a half-space that holds the body is never more than that to the body, so that no
-//             other face can be closest. Else the closest point lies on an edge: the least over all.
+//             centre on its highest plane is the closest point if it lies in the body: the distance
+//             to a half-space that holds the body is never more than that to the body, so that no
+//             other face can be closest. Else the closest point lies on an edge: the least over
+//             all.
 //
 // With spheres as lanes stage 2 would have to move survivors together to fill its vectors and would
-// still wait for the last; planes and edges always fill them. No gathers, no branches on features but
-// one, and what a sphere gets depends on it and the polyhedron alone, not on its place in the group.
+// still wait for the last; planes and edges always fill them. No gathers, no branches on features
+// but one, and what a sphere gets depends on it and the polyhedron alone, not on its place in the
+// group.
 #if defined(QUERN_POLYHEDRON_SPHERE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef QUERN_POLYHEDRON_SPHERE_INL_H_
 #undef QUERN_POLYHEDRON_SPHERE_INL_H_
@@ -26,12 +29,12 @@ HWY_BEFORE_NAMESPACE();
 namespace quern {
 namespace HWY_NAMESPACE {
 
-constexpr std::size_t kChunk = 64;       // spheres between the two stages; a multiple of kShapePad
-constexpr double kFootUnits = 8;         // rounding of a foot's height over a plane, in units of 2^-52
+constexpr std::size_t kChunk = 64;  // spheres between the two stages; a multiple of kShapePad
+constexpr double kFootUnits = 8;    // rounding of a foot's height over a plane, in units of 2^-52
 constexpr double kOnTheSurface = 1e-12;  // of the radius: below, the face's normal is taken
 
-// What stage 1 hands on: centres in the body frame over the scale, the height over the highest plane,
-// that plane, and which of the chunk are left.
+// What stage 1 hands on: centres in the body frame over the scale, the height over the highest
+// plane, that plane, and which of the chunk are left.
 struct PlaneStage {
   HWY_ALIGN double center[3][kChunk];
   HWY_ALIGN double height[kChunk];
@@ -62,7 +65,8 @@ struct IntoBodyV {
   }
 };
 
-// Stage 1 for spheres [begin, end) of the group. Overlaps of what is apart are final; padding gets 0.
+// Stage 1 for spheres [begin, end) of the group. Overlaps of what is apart are final; padding gets
+// 0.
 template <class V>
 HWY_INLINE void sieve_planes(const PolyhedronSphereGroup& g, const IntoBodyV<V>& into_body,
                              std::size_t begin, std::size_t end, PlaneStage& stage) {
@@ -72,9 +76,8 @@ HWY_INLINE void sieve_planes(const PolyhedronSphereGroup& g, const IntoBodyV<V>&
   const double *nx = s.nx.data(), *ny = s.ny.data(), *nz = s.nz.data(), *offset = s.d.data();
   const V zero = hn::Zero(d), scale_v = hn::Set(d, g.pose.scale);
   for (std::size_t at = begin; at < end; at += hn::Lanes(d)) {
-    const Vec3V<V> c =
-        into_body({hn::LoadU(d, g.center[0] + at), hn::LoadU(d, g.center[1] + at),
-                   hn::LoadU(d, g.center[2] + at)});
+    const Vec3V<V> c = into_body({hn::LoadU(d, g.center[0] + at), hn::LoadU(d, g.center[1] + at),
+                                  hn::LoadU(d, g.center[2] + at)});
     V highest = hn::Set(d, -kFarPlane);
     auto face = hn::Zero(di);
     for (std::size_t f = 0; f < s.faces; ++f) {
@@ -82,8 +85,8 @@ HWY_INLINE void sieve_planes(const PolyhedronSphereGroup& g, const IntoBodyV<V>&
       const V height = hn::Sub(dot(n, c), hn::Set(d, offset[f]));
       const auto higher = hn::Gt(height, highest);
       highest = hn::Max(height, highest);
-      face = hn::IfThenElse(hn::RebindMask(di, higher),
-                            hn::Set(di, static_cast<std::int64_t>(f)), face);
+      face = hn::IfThenElse(hn::RebindMask(di, higher), hn::Set(di, static_cast<std::int64_t>(f)),
+                            face);
     }
     const V overlap = hn::NegMulAdd(scale_v, highest, hn::LoadU(d, g.radius + at));
     hn::StoreU(hn::IfThenElseZero(hn::FirstN(d, end - at), overlap), d, g.overlap + at);
@@ -173,8 +176,7 @@ HWY_INLINE NearestPoint nearest_point(const Shape& s, const PlaneStage& stage, s
 }
 
 // Overlap, normal and contact point of sphere `to` of the group, in the world; whether it touches.
-HWY_INLINE bool store_touch(const PolyhedronSphereGroup& g, const NearestPoint& p,
-                            std::size_t to) {
+HWY_INLINE bool store_touch(const PolyhedronSphereGroup& g, const NearestPoint& p, std::size_t to) {
   const double radius = g.radius[to], distance = g.pose.scale * p.distance;
   g.overlap[to] = radius - distance;
   if (!(g.overlap[to] > 0)) return false;

@@ -214,6 +214,8 @@ inline std::vector<Shape> all_shapes() {
   s.push_back(rock("long rock", 10, 7, {2, 0.7, 0.6}));
   s.push_back(box("plate", {2, 2, 2e-3}));
   s.push_back(box("needle", {2, 2e-3, 2e-3}));
+  s.push_back(shape_of("sliver", {{1, 0, 0}, {-0.5, 0.8, 0}, {-0.5, -0.8, 0}, {0, 0.1, 1e-4}},
+                       {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}));
   s.push_back(ball_of_facets());
   return s;
 }
