@@ -10,6 +10,8 @@
 //             outside; face_edge[k] joins corner k of the face with its next corner
 //   edges     edge_vertex[2e], [2e+1] and edge_face[2e], [2e+1]; seen from outside, face [2e] lies to
 //             the left of the way from the first to the second vertex
+//   edge lanes  edge_at x,y,z: the first vertex, edge_side: from there to the second, and 1 / side^2,
+//             padded to kShapePad by repeating edge 0; made from the rest by set_edge_lanes()
 //   vertex_faces  per vertex `face_words` words of 64 bits: the faces around it
 #pragma once
 
@@ -30,6 +32,7 @@ struct Shape {
   Column<double> nx, ny, nz, d;
   Column<std::uint16_t> face_begin, face_vertex, face_edge;
   Column<std::uint16_t> edge_vertex, edge_face;
+  Column<double> edge_at[3], edge_side[3], edge_inverse2;
   Column<std::uint64_t> vertex_faces;
   Index face_words = 1;
   double bound_radius = 0;  // farthest vertex
@@ -43,9 +46,30 @@ struct Shape {
 
   std::size_t padded_vertices() const { return (vertices + kShapePad - 1) / kShapePad * kShapePad; }
   std::size_t padded_faces() const { return (faces + kShapePad - 1) / kShapePad * kShapePad; }
+  std::size_t padded_edges() const { return (edges + kShapePad - 1) / kShapePad * kShapePad; }
   Vec3 vertex(std::size_t k) const { return {x[k], y[k], z[k]}; }
   Vec3 normal(std::size_t f) const { return {nx[f], ny[f], nz[f]}; }
 };
+
+// The last step of building a shape, after its vertices and edges.
+inline void set_edge_lanes(Shape& s) {
+  for (int k = 0; k < 3; ++k) {
+    s.edge_at[k].reset(s.padded_edges());
+    s.edge_side[k].reset(s.padded_edges());
+  }
+  s.edge_inverse2.reset(s.padded_edges());
+  for (std::size_t lane = 0; lane < s.padded_edges(); ++lane) {
+    const std::size_t e = lane < s.edges ? lane : 0;
+    const Vec3 at = s.vertex(s.edge_vertex[2 * e]);
+    const Vec3 side = s.vertex(s.edge_vertex[2 * e + 1]) - at;
+    for (int k = 0; k < 3; ++k) {
+      s.edge_at[k][lane] = at[k];
+      s.edge_side[k][lane] = side[k];
+    }
+    QUERN_CHECK(side.squaredNorm() > 0);
+    s.edge_inverse2[lane] = 1 / side.squaredNorm();
+  }
+}
 
 // Where a polyhedron is: world point = place + scale * turn * body point.
 struct ShapePose {
