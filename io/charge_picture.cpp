@@ -9,7 +9,7 @@
 namespace quern {
 namespace {
 
-constexpr double kWidth = 900, kHeight = 820;
+constexpr double kWidth = 900, kHeight = 850;
 constexpr double kCenterX = 430, kCenterY = 460, kShell = 300;  // pixels
 constexpr int kColours = 24;
 constexpr double kDegree = kPi / 180;
@@ -115,11 +115,11 @@ void draw_cells(Drawing& drawing) {
       a = end;
     }
   }
-  drawing.out += "<g shape-rendering=\"crispEdges\">\n";
+  drawing.out += "<g stroke-width=\"0.6\">\n";
   for (int k = 0; k < kColours; ++k) {
     const std::string& path = paths[static_cast<std::size_t>(k)];
     if (path.empty()) continue;
-    drawing.out += fmt::format("<path fill=\"{}\" d=\"{}\"/>\n",
+    drawing.out += fmt::format("<path fill=\"{0}\" stroke=\"{0}\" d=\"{1}\"/>\n",
                                colour(static_cast<double>(k) / (kColours - 1)), path);
   }
   drawing.out += "</g>\n";
@@ -213,6 +213,12 @@ void draw_rays(Drawing& drawing) {
           "<path stroke=\"#b91c1c\" stroke-width=\"1.5\" d=\"M{}L{}\"/>\n",
           place(0, 0), place(kInner, ray->angle), place(kInner, ray->angle),
           place(kOuter, ray->angle));
+      if (ray->radius > 0) {
+        const double out = ray->radius * drawing.scale;
+        drawing.out += fmt::format(
+            "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"#b91c1c\"/>\n",
+            kCenterX + out * std::cos(ray->angle), kCenterY - out * std::sin(ray->angle));
+      }
       const double x = kCenterX + 1.15 * kShell * std::cos(ray->angle);
       drawing.text(x, y,
                    side == &left

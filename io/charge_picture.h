@@ -1,8 +1,8 @@
 // The charge drawn: the map of solid fraction over the mill's cross-section with the liner, the
 // outline of the bulk and a ray for each angle, as an SVG that needs nothing else.
 //
-// One path a colour holds all cells of it, neighbours around the axis joined, so that a map of 70,000
-// cells is a file of a megabyte or less; rings thinner than two pixels are drawn in groups.
+// One path a colour holds all cells of it, neighbours around the axis joined, and rings thinner than
+// two pixels are drawn in groups: a map of 70,000 cells is a file of one to three megabytes.
 #pragma once
 
 #include <string>
@@ -23,6 +23,7 @@ struct ChargePicture {
   struct Ray {
     std::string name;
     double angle = 0, error = 0;  // rad; the error NaN: unknown
+    double radius = 0;            // m, of a point to mark on it; 0: none
   };
   std::vector<Ray> rays;
 };
