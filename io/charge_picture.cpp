@@ -9,8 +9,8 @@
 namespace quern {
 namespace {
 
-constexpr double kWidth = 900, kHeight = 850;
-constexpr double kCenterX = 430, kCenterY = 460, kShell = 300;  // pixels
+constexpr double kWidth = 1120, kHeight = 850;
+constexpr double kCenterX = 560, kCenterY = 460, kShell = 300;  // pixels
 constexpr int kColours = 24;
 constexpr double kDegree = kPi / 180;
 
@@ -19,8 +19,8 @@ struct Colour {
 };
 
 // From almost white over blue to dark blue, darker throughout: it reads in grey as well.
-constexpr Colour kRamp[] = {
-    {243, 246, 250}, {203, 220, 236}, {144, 185, 216}, {82, 141, 188}, {37, 92, 148}, {15, 44, 92}};
+constexpr Colour kRamp[] = {{253, 253, 254}, {203, 220, 236}, {144, 185, 216},
+                            {82, 141, 188},  {37, 92, 148},   {15, 44, 92}};
 
 std::string colour(double share) {
   constexpr int kLast = static_cast<int>(std::size(kRamp)) - 1;
@@ -28,7 +28,9 @@ std::string colour(double share) {
   const int low = std::min(static_cast<int>(at), kLast - 1);
   const double t = at - low;
   const Colour &a = kRamp[low], &b = kRamp[low + 1];
-  const auto mix = [t](double x, double y) { return static_cast<int>(std::lround(x + t * (y - x))); };
+  const auto mix = [t](double x, double y) {
+    return static_cast<int>(std::lround(x + t * (y - x)));
+  };
   return fmt::format("#{:02x}{:02x}{:02x}", mix(a.red, b.red), mix(a.green, b.green),
                      mix(a.blue, b.blue));
 }
@@ -36,10 +38,14 @@ std::string colour(double share) {
 std::string escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {
-    if (c == '&') result += "&amp;";
-    else if (c == '<') result += "&lt;";
-    else if (c == '>') result += "&gt;";
-    else result += c;
+    if (c == '&')
+      result += "&amp;";
+    else if (c == '<')
+      result += "&lt;";
+    else if (c == '>')
+      result += "&gt;";
+    else
+      result += c;
   }
   return result;
 }
@@ -63,8 +69,8 @@ struct Drawing {
   explicit Drawing(const ChargePicture& p) : picture(p), scale(kShell / p.grid.radius) {}
 
   void text(double x, double y, const char* style, const std::string& words) {
-    out += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" {}>{}</text>\n", x, y, style,
-                       escaped(words));
+    out +=
+        fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" {}>{}</text>\n", x, y, style, escaped(words));
   }
 };
 
@@ -153,8 +159,8 @@ void draw_bulk(Drawing& drawing) {
 
 void draw_liner(Drawing& drawing) {
   const double rim = 1.03 * kShell;
-  std::string path = fmt::format("M{}A{:.1f} {:.1f} 0 0 0 {}A{:.1f} {:.1f} 0 0 0 {}Z", place(rim, 0),
-                                 rim, rim, place(rim, kPi), rim, rim, place(rim, 0));
+  std::string path = fmt::format("M{}A{:.1f} {:.1f} 0 0 0 {}A{:.1f} {:.1f} 0 0 0 {}Z",
+                                 place(rim, 0), rim, rim, place(rim, kPi), rim, rim, place(rim, 0));
   for (const Eigen::Vector2d& corner : drawing.picture.profile) {
     path += &corner == &drawing.picture.profile.front() ? "M" : "L";
     path += place(corner.norm() * drawing.scale, std::atan2(corner.y(), corner.x()));
@@ -168,10 +174,9 @@ void draw_liner(Drawing& drawing) {
     const double angle = degree * kDegree;
     drawing.out += fmt::format("<path stroke=\"#4b5563\" d=\"M{}L{}\"/>\n", place(rim, angle),
                                place(rim + 6, angle));
-    drawing.text(kCenterX + (rim + 20) * std::cos(angle),
-                 kCenterY - (rim + 20) * std::sin(angle) + 4,
-                 "font-size=\"12\" fill=\"#6b7280\" text-anchor=\"middle\"",
-                 fmt::format("{}°", degree));
+    drawing.text(
+        kCenterX + (rim + 20) * std::cos(angle), kCenterY - (rim + 20) * std::sin(angle) + 4,
+        "font-size=\"12\" fill=\"#6b7280\" text-anchor=\"middle\"", fmt::format("{}°", degree));
   }
 }
 
@@ -230,13 +235,13 @@ void draw_rays(Drawing& drawing) {
 }
 
 void draw_scale(Drawing& drawing) {
-  constexpr double kLeft = 250, kTop = kHeight - 34, kLong = 360, kHigh = 12;
+  constexpr double kLeft = kCenterX - 180, kTop = kHeight - 34, kLong = 360, kHigh = 12;
   const double top = top_of(drawing.picture.shape);
   for (int k = 0; k < kColours; ++k) {
-    drawing.out += fmt::format(
-        "<rect x=\"{:.1f}\" y=\"{}\" width=\"{:.1f}\" height=\"{}\" fill=\"{}\"/>\n",
-        kLeft + k * kLong / kColours, kTop, kLong / kColours + 0.5, kHigh,
-        colour(static_cast<double>(k) / (kColours - 1)));
+    drawing.out +=
+        fmt::format("<rect x=\"{:.1f}\" y=\"{}\" width=\"{:.1f}\" height=\"{}\" fill=\"{}\"/>\n",
+                    kLeft + k * kLong / kColours, kTop, kLong / kColours + 0.5, kHigh,
+                    colour(static_cast<double>(k) / (kColours - 1)));
   }
   const int tenths = static_cast<int>(std::lround(10 * top));
   for (int k = 0; k <= tenths; ++k) {
@@ -244,8 +249,8 @@ void draw_scale(Drawing& drawing) {
                  "font-size=\"12\" fill=\"#374151\" text-anchor=\"middle\"",
                  fmt::format("{}{:.1f}", k == tenths ? "≥ " : "", k / 10.0));
   }
-  drawing.text(kLeft - 10, kTop + kHigh - 1, "font-size=\"13\" fill=\"#374151\" text-anchor=\"end\"",
-               "solid fraction");
+  drawing.text(kLeft - 10, kTop + kHigh - 1,
+               "font-size=\"13\" fill=\"#374151\" text-anchor=\"end\"", "solid fraction");
 }
 
 }  // namespace

@@ -79,8 +79,7 @@ double median_diameter(std::span<const float> radius) {
   return 2 * static_cast<double>(sorted.back());
 }
 
-PolarGrid choose_polar_grid(double shell_radius, double d50, double cell_angle,
-                            double cell_width) {
+PolarGrid choose_polar_grid(double shell_radius, double d50, double cell_angle, double cell_width) {
   QUERN_CHECK(shell_radius > 0 && (d50 > 0 || (cell_angle > 0 && cell_width > 0)));
   constexpr double kChoices[] = {1, 2, 4, 6, 10};
   constexpr double kDegree = kPi / 180;

@@ -1,16 +1,16 @@
 // Charge map: particles deposited on a polar map of the mill's cross-section, and the angles of the
 // charge read off it: shoulder, bulk toe, head, impact toe.
 //
-// Deposit. A sphere is cut into patches of equal volume, spread over its shadow on the cross-section
-// as its chords say. Each patch is a small polar box that is shared exactly between the cells it
-// covers. So volume is conserved, a cell smaller than a particle gets its due share, and the map is
-// a continuous function of the places: small cells do not alias.
+// Deposit. A sphere is cut into patches of equal volume, spread over its shadow on the
+// cross-section as its chords say. Each patch is a small polar box that is shared exactly between
+// the cells it covers. So volume is conserved, a cell smaller than a particle gets its due share,
+// and the map is a continuous function of the places: small cells do not alias.
 //
 // Angles. phi_bed is the 90th percentile of the cells that hold anything. The bulk is the largest
 // connected set of cells with phi >= cut phi_bed after a 3 x 3 median. Its end upstream in the ring
 // of two d50 inside the lifters' tops is the bulk toe, the angle of its highest point the shoulder.
-// Crossings are interpolated between the middles of cells. All is periodic in angle, and a mill that
-// turns clockwise gives the mirror image.
+// Crossings are interpolated between the middles of cells. All is periodic in angle, and a mill
+// that turns clockwise gives the mirror image.
 #pragma once
 
 #include <span>
@@ -22,8 +22,8 @@ namespace quern {
 // Median diameter by volume, m; 0 for none.
 double median_diameter(std::span<const float> radius);
 
-// Cells of half a d50 along the radius; around, of 1, 2, 4, 6, 10 degrees the first whose arc at the
-// shell is no shorter: an industrial mill has 1 degree, a laboratory mill of 300 mm 4 degrees.
+// Cells of half a d50 along the radius; around, of 1, 2, 4, 6, 10 degrees the first whose arc at
+// the shell is no shorter: an industrial mill has 1 degree, a laboratory mill of 300 mm 4 degrees.
 // `cell_angle` (rad) and `cell_width` (m) replace the choice where they are not 0; either is
 // changed a little so that whole cells fill the shell.
 PolarGrid choose_polar_grid(double shell_radius, double d50, double cell_angle = 0,
@@ -44,8 +44,8 @@ std::vector<double> solid_fraction(const ChargeMap& map);
 ChargeShape find_charge_shape(const ChargeMap& map, const ChargeQuery& query);
 
 // Head: the last angle downstream of the bulk's toe, and before the middle of the bare liner, where
-// the contact time is at least 2 % of its maximum. Impact toe: going upstream from the bulk toe over
-// the bare liner, the angle within which 95 % of the dissipation of hits there lies.
+// the contact time is at least 2 % of its maximum. Impact toe: going upstream from the bulk toe
+// over the bare liner, the angle within which 95 % of the dissipation of hits there lies.
 LinerAngles find_liner_angles(const LinerHistogram& liner, const ChargeShape& shape,
                               const ChargeQuery& query);
 

@@ -1,8 +1,8 @@
 // The angles of the charge, read off the map of solid fraction and off what the liner felt.
 //
-// Definitions are in charge_map.h. The bulk is connected through the sides of cells, around the full
-// turn and across the axis. So each side of the bulk is a crossing of the cut, and its place between
-// the middles of the two cells follows from their solid fractions.
+// Definitions are in charge_map.h. The bulk is connected through the sides of cells, around the
+// full turn and across the axis. So each side of the bulk is a crossing of the cut, and its place
+// between the middles of the two cells follows from their solid fractions.
 #include <algorithm>
 #include <cmath>
 
@@ -102,32 +102,38 @@ std::vector<std::uint8_t> largest_set(const PolarGrid& grid, const std::vector<d
   return set;
 }
 
-void find_shoulder(const PolarGrid& grid, const std::vector<double>& smooth, double cut,
-                   const ChargeQuery& query, ChargeShape& shape) {
+struct HighPoint {
+  bool found = false;
+  double angle = 0, radius = 0;
+};
+
+// The highest crossing of the cut on the bulk's sides.
+HighPoint highest_point(const PolarGrid& grid, const std::vector<double>& smooth, double cut,
+                        const std::vector<std::uint8_t>& bulk, double up) {
+  HighPoint best;
   double highest = -2 * grid.radius;
   for (int ring = 0; ring < grid.rings; ++ring) {
     for (int a = 0; a < grid.angles; ++a) {
       const std::size_t at = grid.cell(ring, a);
-      if (shape.bulk[at] == 0) continue;
+      if (bulk[at] == 0) continue;
       for (int side = 0; side < 4; ++side) {
         const Cell next = beside(grid, {ring, a}, side);
         if (next.ring == grid.rings || (side == 2 && ring == 0)) continue;
         const std::size_t other = grid.cell(next.ring, next.angle);
-        if (shape.bulk[other] != 0) continue;
+        if (bulk[other] != 0) continue;
         const double t = (smooth[at] - cut) / (smooth[at] - smooth[other]);
         const double steps = side == 0 ? -t : side == 1 ? t : 0;
         const double rings = side == 2 ? -t : side == 3 ? t : 0;
         const double angle = grid.middle_angle(a) + steps * grid.angle_step();
         const double radius = grid.middle_radius(ring) + rings * grid.ring_width();
-        const double height = radius * std::cos(angle - query.up);
+        const double height = radius * std::cos(angle - up);
         if (height <= highest) continue;
         highest = height;
-        shape.shoulder = angle;
-        shape.shoulder_radius = radius;
-        shape.found = true;
+        best = {true, principal_angle(angle), radius};
       }
     }
   }
+  return best;
 }
 
 // Share of each ring of cells that lies in the ring of the toe.
@@ -183,8 +189,8 @@ void find_toe(const PolarGrid& grid, double cut, const ChargeQuery& query, Charg
     const double here = shape.ring_fraction[a], next = shape.ring_fraction[b];
     if (here < cut || next >= cut) continue;
     const double t = (here - cut) / (here - next);
-    shape.bulk_toe = principal_angle(grid.middle_angle(static_cast<int>(a)) +
-                                     t * step * grid.angle_step());
+    shape.bulk_toe =
+        principal_angle(grid.middle_angle(static_cast<int>(a)) + t * step * grid.angle_step());
     shape.toe_found = true;
   }
   shape.toe_found = false;  // the bulk goes all around
@@ -202,9 +208,11 @@ ChargeShape find_charge_shape(const ChargeMap& map, const ChargeQuery& query) {
   const double cut = query.cut * shape.bed_fraction;
   const std::vector<double> smooth = median_3x3(map.grid, shape.fraction);
   shape.bulk = largest_set(map.grid, smooth, cut);
-  find_shoulder(map.grid, smooth, cut, query, shape);
+  const HighPoint top = highest_point(map.grid, smooth, cut, shape.bulk, query.up);
+  shape.found = top.found;
+  shape.shoulder = top.angle;
+  shape.shoulder_radius = top.radius;
   if (!shape.found) return shape;
-  shape.shoulder = principal_angle(shape.shoulder);
   find_toe(map.grid, cut, query, shape);
   return shape;
 }

@@ -39,24 +39,24 @@ struct PolarGrid {
 // Solid volume seen in each cell, summed over snapshots.
 struct ChargeMap {
   PolarGrid grid;
-  double length = 0;           // m, of the mill along its axis
+  double length = 0;  // m, of the mill along its axis
   double snapshots = 0;
   std::vector<double> volume;  // m^3 per cell
 };
 
 // What the finder needs to know of the mill.
 struct ChargeQuery {
-  double direction = 1;       // 1: the mill turns counterclockwise, -1: clockwise
-  double lifter_height = 0;   // m
-  double particle_size = 0;   // m, the median diameter d50 by volume
-  double up = kPi / 2;        // rad, the angle against gravity
-  double cut = 0.5;           // of the bed's solid fraction: where the bulk ends
+  double direction = 1;      // 1: the mill turns counterclockwise, -1: clockwise
+  double lifter_height = 0;  // m
+  double particle_size = 0;  // m, the median diameter d50 by volume
+  double up = kPi / 2;       // rad, the angle against gravity
+  double cut = 0.5;          // of the bed's solid fraction: where the bulk ends
 };
 
 // Angles in rad. Nothing was found where the map holds no bulk.
 struct ChargeShape {
-  bool found = false;       // a bulk with a highest point
-  bool toe_found = false;   // and an end in the ring of the toe
+  bool found = false;      // a bulk with a highest point
+  bool toe_found = false;  // and an end in the ring of the toe
   double shoulder = 0, bulk_toe = 0;
   double shoulder_radius = 0;         // m, of the highest point
   double bed_fraction = 0;            // phi_bed
@@ -75,7 +75,7 @@ struct LinerHistogram {
 
 struct LinerAngles {
   bool head_found = false;
-  bool impacts_found = false;  // else impact_toe is the bulk toe
+  bool impacts_found = false;       // else impact_toe is the bulk toe
   double head = 0, impact_toe = 0;  // rad
 };
 

@@ -54,9 +54,8 @@ ChargeRecorder::ChargeRecorder(const Scene& scene, double dt, std::uint64_t firs
 
 ChargeMap ChargeRecorder::empty_map(const ParticleFrame& frame) const {
   const MillSpec& mill = *scene_.mill;
-  const PolarGrid grid =
-      choose_polar_grid(0.5 * mill.diameter, median_diameter(frame.radius),
-                        scene_.record.cell_angle, scene_.record.cell_width);
+  const PolarGrid grid = choose_polar_grid(0.5 * mill.diameter, median_diameter(frame.radius),
+                                           scene_.record.cell_angle, scene_.record.cell_width);
   return make_charge_map(grid, mill.length);
 }
 
@@ -66,7 +65,8 @@ void ChargeRecorder::take(std::uint64_t step, const ParticleFrame& frame,
   deposit(frame.position, frame.radius, map);
   const std::vector<float> volume(map.volume.begin(), map.volume.end());
   const TableColumn columns[] = {
-      {{"volume", "m^3", "solid volume in each cell, rings x angles"}, layout_of(map.grid),
+      {{"volume", "m^3", "solid volume in each cell, rings x angles"},
+       layout_of(map.grid),
        volume.data()},
       table_column<double>({"time", "s", "of the snapshot"}, std::span(&frame.time, 1))};
   series.write_table(snapshot_name((step - first_step_) / every_), columns);
@@ -116,9 +116,11 @@ void ChargeRecorder::find_angles(const ChargeMap& all, const std::vector<ChargeM
   }
   picture_.shape = find_charge_shape(all, query);
   const ChargeShape& shape = picture_.shape;
-  shoulder_ = toe_ = {kUnknown, kUnknown};
-  if (shape.found) shoulder_ = {shape.shoulder, error_of(shape.shoulder, block_shoulder_)};
-  if (shape.toe_found) toe_ = {shape.bulk_toe, error_of(shape.bulk_toe, block_toe_)};
+  const auto angle = [](bool found, double value, const std::vector<double>& in_blocks) {
+    return found ? Angle{value, error_of(value, in_blocks)} : Angle{kUnknown, kUnknown};
+  };
+  shoulder_ = angle(shape.found, shape.shoulder, block_shoulder_);
+  toe_ = angle(shape.toe_found, shape.bulk_toe, block_toe_);
 }
 
 void ChargeRecorder::finish(std::uint64_t step, const ParticleFrame& frame, SeriesWriter& series,
@@ -133,9 +135,15 @@ void ChargeRecorder::finish(std::uint64_t step, const ParticleFrame& frame, Seri
   report(all, asked, summary);
   if (blocks.empty()) return;
 
+  describe(all.grid, time, asked.direction);
+  write_tables(series);
+}
+
+void ChargeRecorder::describe(const PolarGrid& grid, double time, double direction) {
+  const ChargeShape& shape = picture_.shape;
   picture_.title = scene_.run.title.empty() ? "Shape of the charge" : scene_.run.title;
-  picture_.grid = all.grid;
-  picture_.direction = asked.direction;
+  picture_.grid = grid;
+  picture_.direction = direction;
   const Eigen::Rotation2Dd turn(schedule_integral(scene_.mill->rotation, time));
   picture_.profile = mill_profile(*scene_.mill);
   for (Eigen::Vector2d& corner : picture_.profile) corner = turn * corner;
@@ -143,14 +151,12 @@ void ChargeRecorder::finish(std::uint64_t step, const ParticleFrame& frame, Seri
       fmt::format("Mean of {:g} snapshots, {:.4g} ... {:.4g} s; lifters as at the end.", snapshots_,
                   static_cast<double>(first_step_ + every_) * dt_, time),
       fmt::format("Bulk (orange): above half the bed's solid fraction of {:.3f}.",
-                  picture_.shape.bed_fraction)};
+                  shape.bed_fraction)};
   picture_.rays.clear();
-  if (picture_.shape.found) {
-    picture_.rays.push_back(
-        {"shoulder", shoulder_.value, shoulder_.error, picture_.shape.shoulder_radius});
+  if (shape.found) {
+    picture_.rays.push_back({"shoulder", shoulder_.value, shoulder_.error, shape.shoulder_radius});
   }
-  if (picture_.shape.toe_found) picture_.rays.push_back({"toe", toe_.value, toe_.error, 0});
-  write_tables(series);
+  if (shape.toe_found) picture_.rays.push_back({"toe", toe_.value, toe_.error, 0});
 }
 
 void ChargeRecorder::report(const ChargeMap& all, const ChargeQuery& asked,
@@ -186,7 +192,8 @@ void ChargeRecorder::write_tables(SeriesWriter& series) const {
       table_column<double>({"radius", "m", "middle of each ring of cells"}, radius),
       table_column<double>({"angle", "deg", "middle of each cell, counterclockwise from +x"},
                            angle),
-      table_column<double>({"ring_fraction", "1", "solid fraction inside the lifters' tops"}, ring)};
+      table_column<double>({"ring_fraction", "1", "solid fraction inside the lifters' tops"},
+                           ring)};
   series.write_table("charge_map", map);
   const std::vector<double> shoulder = in_degrees(block_shoulder_), toe = in_degrees(block_toe_);
   const std::vector<TableColumn> blocks = {

@@ -1,10 +1,10 @@
 // ChargeRecorder: the map of the charge over the recorded window, its angles with their errors, and
 // the picture OUT/charge_shape.svg.
 //
-// Each snapshot goes into run.h5 as it is taken (charge_snapshots/000001 ...), and the map is summed
-// from there at the end. So nothing of it is state of the run: a resumed run writes the snapshots
-// after its checkpoint anew, to the same bits, and finds those before it in the file. Errors come
-// from ten blocks of consecutive snapshots, each with a map of its own.
+// Each snapshot goes into run.h5 as it is taken (charge_snapshots/000001 ...), and the map is
+// summed from there at the end. So nothing of it is state of the run: a resumed run writes the
+// snapshots after its checkpoint anew, to the same bits, and finds those before it in the file.
+// Errors come from ten blocks of consecutive snapshots, each with a map of its own.
 #pragma once
 
 #include <string>
@@ -45,6 +45,7 @@ class ChargeRecorder {
                                      const SeriesWriter& series) const;
   void find_angles(const ChargeMap& all, const std::vector<ChargeMap>& blocks,
                    const ChargeQuery& query);
+  void describe(const PolarGrid& grid, double time, double direction);
   void report(const ChargeMap& all, const ChargeQuery& query, Summary& summary) const;
   void write_tables(SeriesWriter& series) const;
 

@@ -76,10 +76,10 @@ double true_toe(const Segment& s) {
   return kPi + s.slope + std::asin(s.depth / (s.shell - s.size));
 }
 
-// A crossing between two cells is known to half a cell. Toward the shell the spheres' own size thins
-// the ring: the toe moves by up to a radius. The tip of the bulk is rounded over a diameter, and its
-// highest point may be anywhere on it. Noise (some ten spheres a cell and 60 snapshots) is a few
-// hundredths of a cell.
+// A crossing between two cells is known to half a cell. Toward the shell the spheres' own size
+// thins the ring: the toe moves by up to a radius. The tip of the bulk is rounded over a diameter,
+// and its highest point may be anywhere on it. Noise (some ten spheres a cell and 60 snapshots) is
+// a few hundredths of a cell.
 double toe_tolerance(const Segment& s) {
   return 0.5 * s.size / s.shell + 0.5 * choose_polar_grid(s.shell, s.size).angle_step();
 }
@@ -285,8 +285,8 @@ TEST(ChargeShape, OfALayerAllAroundHasNoToe) {
   EXPECT_FALSE(shape.toe_found);
 }
 
-// Bins of one degree: contact time 1 from the toe at 230 degrees to 60 degrees, then falling to 0 at
-// 80; hits of 1 J a bin between 200 and 220 degrees, and much more inside the bulk.
+// Bins of one degree: contact time 1 from the toe at 230 degrees to 60 degrees, then falling to 0
+// at 80; hits of 1 J a bin between 200 and 220 degrees, and much more inside the bulk.
 struct Liner {
   LinerHistogram histogram;
   ChargeShape shape;
