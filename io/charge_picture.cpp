@@ -170,7 +170,7 @@ void draw_liner(Drawing& drawing) {
       "<path fill=\"#8a8f98\" fill-opacity=\"0.45\" fill-rule=\"evenodd\" stroke=\"#4b5563\" "
       "stroke-width=\"1\" d=\"{}\"/>\n",
       path);
-  for (int degree = 0; degree < 360; degree += 30) {
+  for (int degree = -90; degree < 270; degree += 30) {
     const double angle = degree * kDegree;
     drawing.out += fmt::format("<path stroke=\"#4b5563\" d=\"M{}L{}\"/>\n", place(rim, angle),
                                place(rim + 6, angle));

@@ -418,18 +418,18 @@ height = "10 mm"
 face_angle = "14 deg"
 top_width = "10 mm")",
      "[record]\ncharge_shape = true",
-     {R"~(29:16: error: 'charge_shape' needs a [mill])~"}},
+     {R"~(27:16: error: 'charge_shape' needs a [mill])~"}},
     {"SnapshotsOfNothing",
      R"([mill]
 )",
      "[record]\nsnapshots_every = \"1 s\"\ncell_width = \"2 mm\"\n[mill]\n",
-     {R"~(29:19: error: 'snapshots_every' needs charge_shape = true)~",
-      R"~(30:14: error: 'cell_width' needs charge_shape = true)~"}},
+     {R"~(27:19: error: 'snapshots_every' needs charge_shape = true)~",
+      R"~(28:14: error: 'cell_width' needs charge_shape = true)~"}},
     {"CellsTooWide",
      R"([mill]
 )",
      "[record]\ncharge_shape = true\ncell_width = \"10 cm\"\n[mill]\n",
-     {R"~(30:14: error: 'cell_width': 0.1 m leaves fewer than two cells along the mill's radius)~"}},
+     {R"~(28:14: error: 'cell_width': 0.1 m leaves fewer than two cells along the mill's radius)~"}},
     {"BraceForABracket",
      "normal = [0, 1, 0]",
      "normal = [0, 1, }",
