@@ -194,7 +194,7 @@ void draw_direction(Drawing& drawing) {
 }
 
 std::string ray_label(const ChargePicture::Ray& ray) {
-  const std::string angle = fmt::format("{} {:.1f}°", ray.name, ray.angle / kDegree);
+  std::string angle = fmt::format("{} {:.1f}°", ray.name, ray.angle / kDegree);
   if (!std::isfinite(ray.error)) return angle;
   return angle + fmt::format(" ± {:.1f}°", ray.error / kDegree);
 }

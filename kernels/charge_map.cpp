@@ -32,10 +32,11 @@ struct Span {
 void share_ring(const Span& around, double volume, int ring, ChargeMap& map) noexcept {
   const int angles = map.grid.angles;
   const double scale = volume / (around.high - around.low);
-  for (double at = std::floor(around.low); at < around.high; at += 1) {
-    const double part = std::min(at + 1, around.high) - std::max(at, around.low);
-    const int angle = static_cast<int>(at - angles * std::floor(at / angles));
-    map.volume[map.grid.cell(ring, std::min(angle, angles - 1))] += part * scale;
+  const int first = static_cast<int>(std::floor(around.low));
+  const int end = static_cast<int>(std::ceil(around.high));
+  for (int at = first; at < end; ++at) {
+    const double part = std::min(at + 1.0, around.high) - std::max(double(at), around.low);
+    map.volume[map.grid.cell(ring, ((at % angles) + angles) % angles)] += part * scale;
   }
 }
 

@@ -46,7 +46,7 @@ class ChargeRecorder {
   void find_angles(const ChargeMap& all, const std::vector<ChargeMap>& blocks,
                    const ChargeQuery& query);
   void describe(const PolarGrid& grid, double time, double direction);
-  void report(const ChargeMap& all, const ChargeQuery& query, Summary& summary) const;
+  void report(const ChargeMap& all, const ChargeQuery& asked, Summary& summary) const;
   void write_tables(SeriesWriter& series) const;
 
   Scene scene_;
