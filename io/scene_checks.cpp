@@ -317,6 +317,27 @@ void check_fill(const SceneCheck& check) {
   }
 }
 
+void check_record_table(const SceneCheck& check) {
+  const RecordSpec& record = check.scene.record;
+  if (record.charge_shape && !check.scene.mill && check.good({"mill", "record.charge_shape"}))
+    check.error("record.charge_shape", "'charge_shape' needs a [mill]");
+  if (!record.charge_shape && check.good({"record.charge_shape"})) {
+    const std::pair<const char*, double> given[] = {{"snapshots_every", record.snapshots_every},
+                                                    {"cell_angle", record.cell_angle},
+                                                    {"cell_width", record.cell_width}};
+    for (const auto& [key, value] : given)
+      if (value > 0)
+        check.error(std::string("record.") + key,
+                    fmt::format("'{}' needs charge_shape = true", key));
+  }
+  if (!check.scene.mill || record.cell_width <= check.scene.mill->diameter / 4 ||
+      !check.good({"record.cell_width", "mill.diameter"}))
+    return;
+  check.error("record.cell_width",
+              fmt::format("'cell_width': {} m leaves fewer than two cells along the mill's radius",
+                          format_number(record.cell_width)));
+}
+
 }  // namespace
 
 void check_scene(SceneDraft& draft, ReadContext& context) {
@@ -333,6 +354,7 @@ void check_scene(SceneDraft& draft, ReadContext& context) {
   check_mill(check);
   check_domain(check);
   check_fill(check);
+  check_record_table(check);
 }
 
 }  // namespace quern

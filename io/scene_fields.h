@@ -354,6 +354,22 @@ void fields(Io& io, OutputSpec& output) {
 }
 
 template <class Io>
+void fields(Io& io, RecordSpec& record) {
+  using enum Dimension;
+  io({"charge_shape", "the charge's shoulder and toe, and the map of its solid fraction"},
+     record.charge_shape);
+  io({"snapshots_every", "time between snapshots of the map; 0: 1/100 of the recorded window",
+      kTime, Range::kNotNegative},
+     record.snapshots_every);
+  io({"cell_angle", "cells of the map around; 0: 1 degree, in small mills up to 10", kAngle,
+      Range::kAcute},
+     record.cell_angle);
+  io({"cell_width", "cells of the map along the radius; 0: half the median diameter", kLength,
+      Range::kNotNegative},
+     record.cell_width);
+}
+
+template <class Io>
 void fields(Io& io, SceneDraft& draft) {
   io({"format", "version of the scene format"}, draft.format);
   io({"folder", "where relative paths start; default: the scene's own folder"}, draft.scene.folder);
@@ -366,6 +382,7 @@ void fields(Io& io, SceneDraft& draft) {
   io.table({"fill", "where particles start"}, draft.scene.fill);
   io.tables({"particles", "a species"}, draft.scene.particles);
   io.table({"output", "what is written when"}, draft.scene.output);
+  io.table({"record", "what is worked out of the recorded window"}, draft.scene.record);
 }
 
 }  // namespace quern

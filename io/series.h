@@ -49,6 +49,11 @@ class SeriesWriter {
   void text(const std::string& name, const std::string& text);
   void provenance(const std::string& name, const std::string& value);
   void write_table(const std::string& name, std::span<const TableColumn> columns);
+  bool has(const std::string& name) const { return file_.exists(name); }
+  // A table's column, "TABLE/COLUMN", of the layout it was written with.
+  void read_column(const std::string& name, const ArrayLayout& layout, void* data) const {
+    file_.read(name, layout, data);
+  }
   void close();  // reports errors of the last writes; the destructor does not
 
  private:

@@ -206,6 +206,14 @@ struct OutputSpec {
   double checkpoint_every = 600;  // s of wall clock
 };
 
+// What a run works out of its recorded window besides the series; what is not asked costs nothing.
+struct RecordSpec {
+  bool charge_shape = false;  // the map of solid fraction; shoulder and toe
+  double snapshots_every = 0;  // s; 0: 1/100 of the recorded window
+  double cell_angle = 0;       // rad, of the map; 0: chosen from mill and particles
+  double cell_width = 0;       // m; 0: half the median diameter
+};
+
 struct Scene {
   RunSpec run;
   DomainSpec domain;
@@ -218,6 +226,7 @@ struct Scene {
   FillSpec fill;
   std::vector<ParticleSpec> particles;
   OutputSpec output;
+  RecordSpec record;
   std::string text;      // the scene as read, for provenance
   std::string folder;    // relative paths start here
 };

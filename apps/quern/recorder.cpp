@@ -52,8 +52,12 @@ std::uint64_t steps_in(double time, double dt) {
   return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(time / dt)));
 }
 
+std::uint64_t run_steps(const Scene& scene, double dt) {
+  return plan_phases(scene, dt, 1, 1, 1).back().steps;
+}
+
 double run_duration(const Scene& scene, double dt) {
-  return static_cast<double>(plan_phases(scene, dt, 1, 1, 1).back().steps) * dt;
+  return static_cast<double>(run_steps(scene, dt)) * dt;
 }
 
 double time_of_revolution(Scene scene, double revolutions) {
@@ -99,6 +103,10 @@ Recorder::Recorder(const std::string& folder, const Scene& scene, double dt,
     frame_steps_ = steps_in(scene.output.frames_every, dt);
     frames_.emplace(folder + "/frames");
   }
+  if (scene.record.charge_shape) {
+    const auto first = static_cast<std::uint64_t>(std::llround(record_from_ / dt));
+    charge_.emplace(scene, dt, first, run_steps(scene, dt));
+  }
   if (resumed_at) {
     series_.truncate_after(*resumed_at + 0.5 * dt);
   } else {
@@ -130,6 +138,7 @@ void Recorder::after_step(World<Real>& world) {
     frames_->write(static_cast<int>(step / frame_steps_), particle_frame(world),
                    wall_frame(world));
   }
+  if (charge_ && charge_->due(step)) charge_->take(step, particle_frame(world), series_);
 }
 
 template <class Real>
@@ -185,6 +194,11 @@ void Recorder::write_summary(World<Real>& world, const RunFigures& figures) {
   s.set("total_mass_kg", world.total_mass);
   s.set("state_hash", fmt::format("{:016x}", state_hash(world)));
   s.set("peak_memory_B", peak_memory());
+  const ParticleFrame f = particle_frame(world);
+  if (charge_) {
+    charge_->finish(world.clock.step, f, series_, s);
+    charge_->write_picture(folder_ + "/charge_shape.svg");
+  }
   s.set("threads", figures.threads);
   s.set("simd_target", figures.simd_target);
   s.set("precision", scene_.run.precision == Precision::kDouble ? "double" : "mixed");
@@ -192,7 +206,6 @@ void Recorder::write_summary(World<Real>& world, const RunFigures& figures) {
   s.set("version", QUERN_VERSION);
   s.set("commit", QUERN_COMMIT);
   s.write(folder_ + "/summary.json");
-  const ParticleFrame f = particle_frame(world);
   const std::vector<TableColumn> columns = {
       table_column<double>({"position", "m", "centre"}, f.position, 3),
       table_column<float>({"velocity", "m/s", "half-step velocity"}, f.velocity, 3),

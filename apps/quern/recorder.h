@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/quern/charge_recorder.h"
 #include "io/frames.h"
 #include "io/series.h"
 #include "io/summary.h"
@@ -29,7 +30,8 @@ class Recorder {
   Recorder(const std::string& folder, const Scene& scene, double dt, const std::vector<Wall>& walls,
            std::optional<double> resumed_at);
 
-  // After a step of the run phase: writes the series row and the frame that are due.
+  // After a step of the run phase: writes the series row, the frame and the snapshot of the charge
+  // that are due.
   template <class Real>
   void after_step(World<Real>& world);
 
@@ -38,6 +40,7 @@ class Recorder {
 
   double last_power() const { return last_power_; }
   double recorded_power() const { return recorded_power_; }  // after write_summary()
+  const std::optional<ChargeRecorder>& charge() const { return charge_; }
 
  private:
   std::string folder_;
@@ -46,6 +49,7 @@ class Recorder {
   std::uint64_t series_steps_ = 1, frame_steps_ = 0;
   SeriesWriter series_;
   std::optional<FrameWriter> frames_;
+  std::optional<ChargeRecorder> charge_;
   double last_power_ = 0, recorded_power_ = 0;
 };
 

@@ -273,6 +273,7 @@ class Run {
                            static_cast<int>(g_signal), world_.time(), options_.out));
       return 0;
     }
+    if (recorder_->charge()) log_info("charge       " + recorder_->charge()->line());
     const Ledger& l = world_.ledger;
     if (std::isfinite(recorder_->recorded_power())) {
       log_info(fmt::format("power        {} (torque, energies and their errors in summary.json)",

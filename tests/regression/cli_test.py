@@ -165,6 +165,31 @@ class Summary(Case):
         for name in ("scene.toml", "run.h5", "checkpoint.h5"):
             self.assertTrue((self.out / name).is_file(), name)
 
+    def test_tells_the_shape_of_the_charge_on_request(self):
+        shape = SHORT + ["--set", "record.charge_shape=true"]
+        said = self.expect(0, quern("run", LAB_MILL, "--out", self.out, "--threads", 1, *shape))
+        self.assertIn("shoulder", said.stdout)
+        straight = self.summary()
+        # Dropped in and barely turning: the charge lies in the lower half, its toe on the left.
+        self.assertLess(straight["shoulder_deg"], 45)
+        self.assertGreater(straight["toe_deg"], 135)
+        for name in ("shoulder_deg", "toe_deg"):
+            self.assertGreaterEqual(straight[name + "_standard_error"], 0, name)
+        self.assertEqual(straight["charge_snapshots"], 100)
+        picture = (self.out / "charge_shape.svg").read_bytes()
+        self.out = self.folder / "resumed"
+        self.expect(0, quern("run", LAB_MILL, "--out", self.out, "--until", 0.12, *shape))
+        self.expect(0, quern("resume", self.out))
+        resumed = self.summary()
+        for name in [key for key in straight if key.endswith("_deg") or "charge" in key]:
+            self.assertEqual(resumed[name], straight[name], name)
+        self.assertEqual((self.out / "charge_shape.svg").read_bytes(), picture)
+
+    def test_without_a_request_there_is_no_shape(self):
+        self.expect(0, quern("run", BOUNCE, "--out", self.out, "--until", 0.1))
+        self.assertFalse([key for key in self.summary() if key.endswith("_deg")])
+        self.assertFalse((self.out / "charge_shape.svg").exists())
+
     def test_until_stops_early_and_resume_goes_on(self):
         self.expect(0, quern("run", BOUNCE, "--out", self.out, "--until", 0.1))
         self.assertAlmostEqual(self.summary()["time_s"], 0.1, delta=1e-5)

@@ -450,6 +450,30 @@ count = 300)",
      "[mill]\n",
      "[=]\n",
      {R"~(26:1: error: syntax: a table header needs a name, as in [mill])~"}},
+    {"ChargeShapeWithoutAMill",
+     R"([mill]
+material = "steel"
+diameter = "0.3 m"
+length = "40 mm"
+rotation = "30 rpm"
+[mill.lifters]
+count = 18
+height = "10 mm"
+face_angle = "14 deg"
+top_width = "10 mm")",
+     "[record]\ncharge_shape = true",
+     {R"~(27:16: error: 'charge_shape' needs a [mill])~"}},
+    {"SnapshotsOfNothing",
+     R"([mill]
+)",
+     "[record]\nsnapshots_every = \"1 s\"\ncell_width = \"2 mm\"\n[mill]\n",
+     {R"~(27:19: error: 'snapshots_every' needs charge_shape = true)~",
+      R"~(28:14: error: 'cell_width' needs charge_shape = true)~"}},
+    {"CellsTooWide",
+     R"([mill]
+)",
+     "[record]\ncharge_shape = true\ncell_width = \"10 cm\"\n[mill]\n",
+     {R"~(28:14: error: 'cell_width': 0.1 m leaves fewer than two cells along the mill's radius)~"}},
     {"BraceForABracket",
      "normal = [0, 1, 0]",
      "normal = [0, 1, }",

@@ -180,6 +180,10 @@ void expect_same(const Scene& a, const Scene& b) {
   EXPECT_EQ(a.output.series_every, b.output.series_every);
   EXPECT_EQ(a.output.frames_every, b.output.frames_every);
   EXPECT_EQ(a.output.checkpoint_every, b.output.checkpoint_every);
+  EXPECT_EQ(a.record.charge_shape, b.record.charge_shape);
+  EXPECT_EQ(a.record.snapshots_every, b.record.snapshots_every);
+  EXPECT_EQ(a.record.cell_angle, b.record.cell_angle);
+  EXPECT_EQ(a.record.cell_width, b.record.cell_width);
 }
 
 // Written, read from another folder, and written again.
@@ -378,6 +382,11 @@ count = 3
 series_every = "3 ms"
 frames_every = "70 ms"
 checkpoint_every = "5 min"
+[record]
+charge_shape = true
+snapshots_every = "20 ms"
+cell_angle = "3 deg"
+cell_width = "4 mm"
 )";
 
 TEST(SceneReader, ReadsEveryKeyAndWritesItBack) {

@@ -1,0 +1,82 @@
+// The shape of the charge in a mill's cross-section: the map of its solid fraction, the angles read
+// off it, and what the liner felt around the shell. Plain records between kernels/charge_map, which
+// computes them, and io/charge_picture, which draws them.
+//
+// Mill coordinates: the mill's axis is +z through the origin, at rest while the shell turns. Angles
+// are counterclockwise from +x as seen from +z, whichever way the mill turns. A cell (ring, angle)
+// is at [ring * angles + angle], rings from the axis outwards, angles from +x:
+//
+//   ring k from k * ring_width to (k + 1) * ring_width, the last one ends at the shell
+//   angle a from a * 2 pi / angles to (a + 1) * 2 pi / angles
+#pragma once
+
+#include <vector>
+
+#include "soa/base.h"
+
+namespace quern {
+
+struct PolarGrid {
+  int angles = 0, rings = 0;  // angles is even: beyond the axis lies the cell angles / 2 further
+  double radius = 0;          // m, of the shell
+
+  double ring_width() const { return radius / rings; }
+  double angle_step() const { return 2 * kPi / angles; }
+  double cell_area() const { return 0.5 * angle_step() * ring_width() * ring_width(); }
+  double area(int ring) const { return cell_area() * (2 * ring + 1); }
+  double middle_radius(int ring) const { return (ring + 0.5) * ring_width(); }
+  double middle_angle(int angle) const { return (angle + 0.5) * angle_step(); }
+  std::size_t cells() const {
+    return static_cast<std::size_t>(angles) * static_cast<std::size_t>(rings);
+  }
+  std::size_t cell(int ring, int angle) const {
+    return static_cast<std::size_t>(ring) * static_cast<std::size_t>(angles) +
+           static_cast<std::size_t>(angle);
+  }
+  bool operator==(const PolarGrid&) const = default;
+};
+
+// Solid volume seen in each cell, summed over snapshots.
+struct ChargeMap {
+  PolarGrid grid;
+  double length = 0;  // m, of the mill along its axis
+  double snapshots = 0;
+  std::vector<double> volume;  // m^3 per cell
+};
+
+// What the finder needs to know of the mill.
+struct ChargeQuery {
+  double direction = 1;      // 1: the mill turns counterclockwise, -1: clockwise
+  double lifter_height = 0;  // m
+  double particle_size = 0;  // m, the median diameter d50 by volume
+  double up = kPi / 2;       // rad, the angle against gravity
+  double cut = 0.5;          // of the bed's solid fraction: where the bulk ends
+};
+
+// Angles in rad. Nothing was found where the map holds no bulk.
+struct ChargeShape {
+  bool found = false;      // a bulk with a highest point
+  bool toe_found = false;  // and an end in the ring of the toe
+  double shoulder = 0, bulk_toe = 0;
+  double shoulder_radius = 0;         // m, of the highest point
+  double bed_fraction = 0;            // phi_bed
+  std::vector<double> fraction;       // per cell, solid fraction
+  std::vector<std::uint8_t> bulk;     // per cell, 1: of the bulk
+  std::vector<double> ring_fraction;  // per angle, in the ring inside the lifters' tops
+};
+
+// What the liner felt, by the angle of the contact point in mill coordinates; bins as the angles of
+// a PolarGrid.
+struct LinerHistogram {
+  std::vector<double> contact_time;  // s, summed over contacts
+  // J, by normal damping in contacts that began with an approach faster than 0.2 omega R
+  std::vector<double> hit_dissipation;
+};
+
+struct LinerAngles {
+  bool head_found = false;
+  bool impacts_found = false;       // else impact_toe is the bulk toe
+  double head = 0, impact_toe = 0;  // rad
+};
+
+}  // namespace quern
