@@ -210,7 +210,7 @@ HWY_INLINE EdgeWay overlap_by_edges(const PairFrame& frame, const PatchOptions& 
   clip_edges(planes_a, edges_b);
   Pieces pieces;
   TraceEnds traces;
-  Vec3 reference;
+  Vec3 reference = Vec3::Zero();
   collect_pieces(edges_a, 0, reference, pieces, traces);
   pieces.of_a = pieces.count;
   collect_pieces(edges_b, 1, reference, pieces, traces);
@@ -252,30 +252,18 @@ HWY_INLINE double gap_along(const ShapePose& a, const ShapePose& b, const Vec3& 
   return u.dot(b.place - a.place) - low - high;
 }
 
+constexpr double kRoundDown = 1 - 1.3e-7;  // a gap in f32 stays below the one in f64
+
 HWY_INLINE void keep_axis(const Vec3& u, double gap, std::uint32_t flags, PairAxis& axis) {
   for (int k = 0; k < 3; ++k) axis.axis[k] = static_cast<float>(u[k]);
-  axis.gap = static_cast<float>(gap * (1 - 1e-7));
+  axis.gap = static_cast<float>(gap * kRoundDown);
   axis.flags = flags;
 }
 
-inline bool touch_pair(const ShapePose& a, const ShapePose& b, const PatchOptions& options,
-                            PairAxis& axis, PolyhedronTouch& out) noexcept {
-  out.flags = 0;
-  Vec3 u(axis.axis[0], axis.axis[1], axis.axis[2]);
-  const double length2 = u.squaredNorm();
-  if (length2 > 0.25) {
-    u *= 1 / std::sqrt(length2);
-    const double gap = gap_along(a, b, u);
-    if (gap > 0) {
-      axis.gap = static_cast<float>(gap * (1 - 1e-7));
-      axis.flags = 0;
-      return false;
-    }
-  } else {
-    u = b.place - a.place;
-    const double distance = u.norm();
-    u = distance > 0 ? Vec3(u / distance) : Vec3::UnitX();
-  }
+// What is left for pairs that the known axis does not part. `u` (world frame, unit) begins the search.
+HWY_NOINLINE bool search_and_clip(const ShapePose& a, const ShapePose& b,
+                                  const PatchOptions& options, const Vec3& u, PairAxis& axis,
+                                  PolyhedronTouch& out) noexcept {
   const PairFrame frame = pair_frame(a, b);
   const bool touched = (axis.flags & kAxisTouched) != 0;
   Vec3 slab = a.turn.transpose() * u;
@@ -287,7 +275,7 @@ inline bool touch_pair(const ShapePose& a, const ShapePose& b, const PatchOption
     if (gap > 0) {
       keep_axis(a.turn * slab, 0, 0, axis);
       const Vec3 kept = Vec3(axis.axis[0], axis.axis[1], axis.axis[2]).normalized();
-      axis.gap = static_cast<float>(std::max(0.0, gap_along(a, b, kept)) * (1 - 1e-7));
+      keep_axis(a.turn * slab, std::max(0.0, gap_along(a, b, kept)), 0, axis);
       return false;
     }
   }
@@ -308,6 +296,27 @@ inline bool touch_pair(const ShapePose& a, const ShapePose& b, const PatchOption
   if (touching) finish_touch(a, found, normal, overlap, out);
   keep_axis(touching ? out.normal : Vec3(a.turn * slab), 0, touching ? kAxisTouched : 0, axis);
   return touching;
+}
+
+HWY_INLINE bool touch_pair(const ShapePose& a, const ShapePose& b, const PatchOptions& options,
+                           PairAxis& axis, PolyhedronTouch& out) noexcept {
+  out.flags = 0;
+  Vec3 u(axis.axis[0], axis.axis[1], axis.axis[2]);
+  const double length2 = u.squaredNorm();
+  if (length2 > 0.25) {
+    u *= 1 / std::sqrt(length2);
+    const double gap = gap_along(a, b, u);
+    if (gap > 0) {
+      axis.gap = static_cast<float>(gap * kRoundDown);
+      axis.flags = 0;
+      return false;
+    }
+  } else {
+    u = b.place - a.place;
+    const double distance = u.norm();
+    u = distance > 0 ? Vec3(u / distance) : Vec3::UnitX();
+  }
+  return search_and_clip(a, b, options, u, axis, out);
 }
 
 }  // namespace HWY_NAMESPACE
