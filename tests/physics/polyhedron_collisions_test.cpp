@@ -119,6 +119,10 @@ Figures collisions(const Setup& setup) {
     const Vec3 aim = (direction + 0.3 * Vec3(unit(random), unit(random), unit(random))).normalized();
     b.velocity = -setup.overlap * std::sqrt(0.5) * aim;
     a.velocity = -b.velocity;
+    // Contact begins anywhere within a step.
+    const double step = kPi * std::sqrt(0.5) / setup.steps, phase = 0.5 * (1 + unit(random));
+    a.pose.place -= phase * step * a.velocity;
+    b.pose.place -= phase * step * b.velocity;
     const Collision c = collide(a, b, setup);
     EXPECT_TRUE(c.ended);
     EXPECT_LE(c.momentum, 1e-13);

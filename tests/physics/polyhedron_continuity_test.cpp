@@ -86,7 +86,7 @@ TEST_F(PolyhedronSweep, RollingOverVertexEdgeAndFaceIsContinuous) {
     // From a face to an edge, along it to a vertex, and down on the next face.
     b.turn = turn_about(Vec3(0, 1, 0), kPi / 2 * std::min(1.0, 1.5 * s)) *
              turn_about(Vec3(1, 0, 0), 0.6 * std::sin(kPi * s));
-    b.place = Vec3(0.3, 0.1, 0.5 - 0.03 - lowest(cube_, b.turn));
+    b.place = Vec3(0.3, 0.1, 0.5 - 0.03 - 0.01 * s - lowest(cube_, b.turn));
   }, "vertex, edge, face");
 }
 
