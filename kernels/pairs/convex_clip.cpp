@@ -132,25 +132,24 @@ double OverlapSums::width(const Vec3& n) const noexcept {
   return high - low;
 }
 
-// x lies in the overlap, so a positive height is rounding: the line leaves no plane behind x.
-double OverlapSums::chord_at(const Vec3& x, const Vec3& n,
-                             std::span<const Plane> planes) const noexcept {
-  double up = std::numeric_limits<double>::max(), down = -up;
-  for (const Plane& plane : planes) {
-    const double slope = plane.normal.dot(n);
-    const double height = std::min(0.0, plane.height(x));
-    if (slope > kParallel) up = std::min(up, -height / slope);
-    if (slope < -kParallel) down = std::max(down, -height / slope);
-  }
-  return up < std::numeric_limits<double>::max() && down > -std::numeric_limits<double>::max()
-             ? up - down
-             : 0;
-}
-
-double OverlapSums::chord(const Vec3& n, std::span<const Plane> planes) const noexcept {
+double OverlapSums::chord(const Vec3& n, std::span<const Plane> planes,
+                          std::size_t of_a) const noexcept {
   const auto slope = [&](int plane) { return n.dot(planes[std::size_t(plane)].normal); };
+  // The point lies in the overlap, so a positive height is rounding: no plane is behind it.
+  const auto chord_at = [&](const Vec3& x) {
+    double exit = std::numeric_limits<double>::max(), entry = -exit;
+    for (std::size_t k = 0; k < planes.size(); ++k) {
+      const double rise = n.dot(planes[k].normal);
+      const double along = -std::min(0.0, planes[k].height(x)) / (std::abs(rise) > kParallel ? rise : 1);
+      if (k < of_a && rise > kParallel) exit = std::min(exit, along);
+      if (k >= of_a && rise < -kParallel) entry = std::max(entry, along);
+    }
+    const bool bounded = exit < std::numeric_limits<double>::max() &&
+                         entry > -std::numeric_limits<double>::max();
+    return bounded ? exit - entry : 0;
+  };
   double best = 0;
-  for (int k = 0; k < edges_; ++k) best = std::max(best, chord_at(edge_[k].from, n, planes));
+  for (int k = 0; k < edges_; ++k) best = std::max(best, chord_at(edge_[k].from));
   for (int i = 0; i < edges_; ++i) {
     const OverlapEdge& top = edge_[i];
     if (top.left > top.right || slope(top.left) <= 0 || slope(top.right) <= 0) continue;
@@ -166,7 +165,7 @@ double OverlapSums::chord(const Vec3& n, std::span<const Plane> planes) const no
           std::abs(s) > std::abs(turn)) {
         continue;
       }
-      best = std::max(best, chord_at(top.from + (t / turn) * along, n, planes));
+      best = std::max(best, chord_at(top.from + (t / turn) * along));
     }
   }
   return best;
@@ -214,7 +213,7 @@ bool intersect_with_planes(const Shape& shape, std::span<const Plane> extra,
   out.normal = area / size;
   out.overlap = options.overlap == OverlapMeasure::kWidth
                     ? sums.width(out.normal)
-                    : sums.chord(out.normal, {planes, count});
+                    : sums.chord(out.normal, {planes, count}, faces);
   out.full = buffers.full || sums.full();
   return true;
 }

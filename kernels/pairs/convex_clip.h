@@ -3,8 +3,8 @@
 // A polygon is cut by one plane after another (Sutherland and Hodgman, CACM 17, 1974) on the signs of
 // signed distances. There is no topology to go wrong: a sign that rounding has turned costs an area of
 // the order of rounding, never a crash. Each edge of a polygon remembers which plane lies beyond it,
-// which is what the depth along a normal needs: the longest chord of a convex body ends in a corner, or
-// where an edge between two faces that look up passes over one between two that look down.
+// which is what the depth along a normal needs: it is found on a line through a corner, or where an
+// edge between two faces that look up passes over one between two that look down.
 //
 // All lengths here are in the frame of one polyhedron with unit equivalent radius ("body units"), so
 // that large plates and far origins never enter; to_body() leads there. Buffers are fixed; nothing is
@@ -18,7 +18,8 @@
 namespace quern {
 
 enum class OverlapMeasure : std::uint8_t {
-  kChord,  // longest segment along the normal inside the overlap: how far to move to come apart
+  kChord,  // how far to move along the normal to come apart: on all lines along it, the most that the
+           // exit from A lies beyond the entry into B
   kWidth   // extent of the overlap along the normal
 };
 enum class NormalModel : std::uint8_t {
@@ -38,6 +39,7 @@ struct Plane {
 
 inline constexpr int kMaxShapeFaces = 512;     // set-up refuses shapes with more faces or vertices
 inline constexpr int kMaxShapeVertices = 1024;
+inline constexpr int kMaxShapeEdges = kMaxShapeFaces + kMaxShapeVertices;  // Euler: two fewer
 inline constexpr int kMaxCorners = 1600;       // of a polygon while it is clipped
 inline constexpr int kMaxOverlapEdges = 4096;  // of an overlap, each counted from both its faces
 inline constexpr double kCoincident = 32 * 2.220446049250313e-16;         // of the size
@@ -103,14 +105,14 @@ class OverlapSums {
   Vec3 moment() const noexcept {
     return 0.5 * (moment_[0] - moment_[1]) + reference_.cross(vector_area());
   }
-  // Extent, and longest chord, along n; `planes` by label.
+  // Extent of the overlap along n.
   double width(const Vec3& n) const noexcept;
-  double chord(const Vec3& n, std::span<const Plane> planes) const noexcept;
+  // Exit from the first `of_a` planes less the entry into the rest, on lines through the overlap's
+  // corners and crossings; `planes` by label.
+  double chord(const Vec3& n, std::span<const Plane> planes, std::size_t of_a) const noexcept;
   bool full() const noexcept { return full_; }
 
  private:
-  double chord_at(const Vec3& x, const Vec3& n, std::span<const Plane> planes) const noexcept;
-
   bool begun_ = false, full_ = false;
   Vec3 reference_ = Vec3::Zero();
   double volume_ = 0, area_ = 0;

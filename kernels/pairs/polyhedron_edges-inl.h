@@ -82,7 +82,7 @@ HWY_INLINE std::uint64_t vertices_above(const Shape& shape, const Vec3& u, doubl
 
 // Edges with an end in `vertices`; x, y, z hold the vertices in the frame of the pair. False if they
 // are too many.
-HWY_INLINE bool gather_edges(const Shape& shape, std::uint64_t vertices, const double* x,
+HWY_NOINLINE bool gather_edges(const Shape& shape, std::uint64_t vertices, const double* x,
                              const double* y, const double* z, const std::uint8_t* slot,
                              EdgeLanes& out) {
   std::uint8_t chosen[3 * kFastVertices];
@@ -112,7 +112,7 @@ HWY_INLINE bool gather_edges(const Shape& shape, std::uint64_t vertices, const d
   return true;
 }
 
-HWY_INLINE void clip_edges(const KeptPlanes& planes, EdgeLanes& edges) {
+HWY_NOINLINE void clip_edges(const KeptPlanes& planes, EdgeLanes& edges) {
   const D64 d;
   const VD zero = hn::Zero(d), one = hn::Set(d, 1.0), none = hn::Set(d, -1.0);
   edges.inside = 0;
@@ -177,7 +177,7 @@ HWY_INLINE Vec3 edge_point(const EdgeLanes& edges, std::size_t k, double t) {
 }
 
 // Pieces of A's edges (side 0) or B's (side 1), and the ends of traces they mark.
-HWY_INLINE void collect_pieces(const EdgeLanes& edges, std::size_t side, Vec3& reference,
+HWY_NOINLINE void collect_pieces(const EdgeLanes& edges, std::size_t side, Vec3& reference,
                                Pieces& pieces, TraceEnds& traces) {
   for (std::uint64_t bits = edges.inside; bits != 0; bits &= bits - 1) {
     const std::size_t k = static_cast<std::size_t>(__builtin_ctzll(bits));
@@ -230,7 +230,7 @@ HWY_INLINE bool collect_traces(const TraceEnds& traces, Pieces& pieces) {
 
 // Volume, first moment, vector area, surface, and with `moment` the moment of A's part, all about the
 // reference.
-HWY_INLINE void sum_pieces(const Pieces& pieces, const Vec3* foot, const Vec3* normal,
+HWY_NOINLINE void sum_pieces(const Pieces& pieces, const Vec3* foot, const Vec3* normal,
                            NormalModel model, PairOverlap& out) {
   double volume = 0, surface = 0;
   Vec3 first = Vec3::Zero(), area = Vec3::Zero(), moment = Vec3::Zero();

@@ -72,118 +72,133 @@ HWY_INLINE bool any_coincident(const PairFrame& frame, const KeptPlanes& a, cons
   return false;
 }
 
-// Points of the overlap whose chords are wanted, in lanes.
-struct ChordPoints {
-  static constexpr std::size_t kRoom = 2 * kFastPieces;
-  HWY_ALIGN double x[kRoom + 8], y[kRoom + 8], z[kRoom + 8];
-  std::size_t count = 0;
-  HWY_INLINE void add(const Vec3& p) {
-    x[count] = p.x();
-    y[count] = p.y();
-    z[count++] = p.z();
+// What the depth along a normal is taken from: kept planes with their slopes against it, vertices in
+// the slab, edges in the slab.
+struct DepthInput {
+  const KeptPlanes* planes[2];
+  const EdgeLanes* edges[2];
+  double slope[2][kFastKept];
+  HWY_ALIGN double x[2 * kFastVertices + 8], y[2 * kFastVertices + 8], z[2 * kFastVertices + 8];
+  std::size_t points = 0;
+  double near;  // heights below are rounding
+
+  HWY_INLINE void add_points(std::uint64_t vertices, const double* px, const double* py,
+                             const double* pz) {
+    for (; vertices != 0; vertices &= vertices - 1) {
+      const std::size_t v = static_cast<std::size_t>(__builtin_ctzll(vertices));
+      x[points] = px[v];
+      y[points] = py[v];
+      z[points++] = pz[v];
+    }
   }
 };
 
-// Slopes and offsets (relative to the reference) of all kept planes against the normal.
-struct ChordPlanes {
-  Vec3 normal[2 * kFastKept];
-  double offset[2 * kFastKept], slope[2 * kFastKept];
-  std::size_t kept_a, kept_b;
-};
-
-// The longest chord through any of the points. A point lies in the overlap, so that a positive
-// height is rounding and taken as zero.
-HWY_INLINE double longest_chord(const ChordPlanes& planes, ChordPoints& points) {
+// Exit from A less entry into B on the lines along the normal through the points; see
+// chord_on_line() of the plain way.
+HWY_NOINLINE double chord_over_points(DepthInput& in) {
+  constexpr double kFar = 1e30;
   const D64 d;
-  for (std::size_t k = points.count; k < points.count + hn::Lanes(d); ++k) {
-    points.x[k] = points.x[0];
-    points.y[k] = points.y[0];
-    points.z[k] = points.z[0];
+  for (std::size_t k = in.points; k < in.points + hn::Lanes(d); ++k) {
+    in.x[k] = in.x[0];
+    in.y[k] = in.y[0];
+    in.z[k] = in.z[0];
   }
-  const VD zero = hn::Zero(d);
+  const VD zero = hn::Zero(d), near = hn::Set(d, in.near);
   VD best = zero;
-  for (std::size_t k = 0; k < points.count; k += hn::Lanes(d)) {
-    const Vec3V<VD> p = load3(points.x, points.y, points.z, k);
-    VD up = hn::Set(d, 1e30), down = hn::Set(d, -1e30);
+  for (std::size_t k = 0; k < in.points; k += hn::Lanes(d)) {
+    const Vec3V<VD> p = load3(in.x, in.y, in.z, k);
+    VD entry[2] = {hn::Set(d, -kFar), hn::Set(d, -kFar)};
+    VD exit[2] = {hn::Set(d, kFar), hn::Set(d, kFar)};
     for (std::size_t side = 0; side < 2; ++side) {
-      const std::size_t base = side * kFastKept;
-      const std::size_t end = base + (side == 0 ? planes.kept_a : planes.kept_b);
-      for (std::size_t f = base; f < end; ++f) {
-        const double slope = planes.slope[f];
-        if (std::abs(slope) <= 1e-30) continue;
-        const VD height = hn::Min(
-            zero, hn::Sub(dot(broadcast(planes.normal[f]), p), hn::Set(d, planes.offset[f])));
-        const VD along = hn::Mul(height, hn::Set(d, -1 / slope));
-        if (slope > 0) {
-          up = hn::Min(up, along);
+      const KeptPlanes& planes = *in.planes[side];
+      for (std::size_t f = 0; f < planes.count; ++f) {
+        const Vec3V<VD> n = {hn::Set(d, planes.nx[f]), hn::Set(d, planes.ny[f]),
+                             hn::Set(d, planes.nz[f])};
+        VD height = hn::Sub(dot(n, p), hn::Set(d, planes.d[f]));
+        height = hn::IfThenElse(hn::Gt(height, near), height, hn::Min(height, zero));
+        const double slope = in.slope[side][f];
+        if (std::abs(slope) > 1 / kFar) {
+          const VD along = hn::Mul(height, hn::Set(d, -1 / slope));
+          if (slope > 0) {
+            exit[side] = hn::Min(exit[side], along);
+          } else {
+            entry[side] = hn::Max(entry[side], along);
+          }
         } else {
-          down = hn::Max(down, along);
+          exit[side] = hn::IfThenElse(hn::Gt(height, zero), hn::Set(d, -2 * kFar), exit[side]);
         }
       }
     }
-    best = hn::Max(best, hn::Sub(up, down));
+    const auto hits = hn::And(hn::Le(entry[0], exit[0]), hn::Le(entry[1], exit[1]));
+    best = hn::Max(best, hn::IfThenElseZero(hits, hn::Sub(exit[0], entry[1])));
   }
   const double chord = hn::GetLane(hn::MaxOfLanes(d, best));
-  return chord < 1e30 ? chord : 0;
+  return chord < kFar ? chord : 0;
 }
 
-// Where an edge between two faces that look up passes over one between two that look down.
-HWY_INLINE double chord_over_crossings(const Pieces& pieces, const Vec3& n,
-                                       const ChordPlanes& planes, ChordPoints& points) {
-  std::uint8_t top[kFastPieces], base[kFastPieces];
-  std::size_t tops = 0, bases = 0;
-  for (std::size_t k = 0; k < pieces.count; ++k) {
-    const double left = planes.slope[pieces.left[k]], right = planes.slope[pieces.right[k]];
-    if (left > 0 && right > 0) top[tops++] = static_cast<std::uint8_t>(k);
-    if (left < 0 && right < 0) base[bases++] = static_cast<std::uint8_t>(k);
+// Where an edge of A that bounds a face looking along n passes over one of B that bounds a face looking
+// against it; lanes over B's edges.
+HWY_NOINLINE double chord_over_crossings(const DepthInput& in, const Vec3& normal) {
+  const D64 d;
+  const EdgeLanes &up = *in.edges[0], &down = *in.edges[1];
+  HWY_ALIGN double counts[kFastEdges + 8];
+  for (std::size_t k = 0; k < down.count + hn::Lanes(d); ++k) counts[k] = 0;
+  for (std::size_t k = 0; k < down.count; ++k) {
+    counts[k] = in.slope[1][down.left[k]] < 0 || in.slope[1][down.right[k]] < 0 ? 1 : 0;
   }
-  double best = 0;
-  for (std::size_t i = 0; i < tops; ++i) {
-    const Vec3 from = pieces.from[top[i]], along = pieces.to[top[i]] - from;
-    const Vec3 across = n.cross(along);
-    for (std::size_t j = 0; j < bases; ++j) {
-      const Vec3 other = pieces.to[base[j]] - pieces.from[base[j]];
-      const Vec3 apart = pieces.from[base[j]] - from;
-      const double turn = across.dot(other), s = -across.dot(apart);
-      const double t = n.dot(apart.cross(other));
-      const double sign = turn < 0 ? -1 : 1, size = std::abs(turn);
-      if (turn == 0 || s * sign < 0 || s * sign > size || t * sign < 0 || t * sign > size) continue;
-      if (points.count == ChordPoints::kRoom) {
-        best = std::max(best, longest_chord(planes, points));
-        points.count = 0;
-      }
-      points.add(from + (t / turn) * along);
+  const VD zero = hn::Zero(d), one = hn::Set(d, 1.0);
+  const Vec3V<VD> n = broadcast(normal);
+  VD best = zero;
+  for (std::size_t k = 0; k < down.count; k += hn::Lanes(d)) {
+    const Vec3V<VD> from = load3(down.ax, down.ay, down.az, k);
+    const Vec3V<VD> other = load3(down.bx, down.by, down.bz, k) - from;
+    const Vec3V<VD> side = cross(other, n);
+    const VD other_rise = dot(n, other);
+    const auto looks = hn::Gt(hn::LoadU(d, counts + k), zero);
+    for (std::size_t i = 0; i < up.count; ++i) {
+      if (in.slope[0][up.left[i]] <= 0 && in.slope[0][up.right[i]] <= 0) continue;
+      const Vec3 start(up.ax[i], up.ay[i], up.az[i]);
+      const Vec3 along = Vec3(up.bx[i], up.by[i], up.bz[i]) - start;
+      const Vec3V<VD> apart = from - broadcast(start);
+      const Vec3V<VD> across = broadcast(normal.cross(along));
+      const VD turn = dot(across, other);
+      const VD size = hn::Abs(turn);
+      const VD t = hn::Mul(hn::CopySignToAbs(one, turn), dot(side, apart));
+      const VD s = hn::Neg(hn::Mul(hn::CopySignToAbs(one, turn), dot(across, apart)));
+      auto crosses = hn::And(hn::And(hn::Ge(t, zero), hn::Le(t, size)),
+                             hn::And(hn::Ge(s, zero), hn::Le(s, size)));
+      crosses = hn::And(hn::And(crosses, looks), hn::Gt(size, zero));
+      const VD share = hn::Div(one, hn::IfThenElse(crosses, size, one));
+      const VD rise = hn::Sub(hn::Mul(hn::Mul(t, share), hn::Set(d, normal.dot(along))),
+                              hn::Mul(hn::Mul(s, share), other_rise));
+      best = hn::Max(best, hn::IfThenElseZero(crosses, hn::Sub(rise, dot(n, apart))));
     }
   }
-  return std::max(best, points.count > 0 ? longest_chord(planes, points) : 0);
+  return hn::GetLane(hn::MaxOfLanes(d, best));
 }
 
-HWY_INLINE double overlap_along(const Pieces& pieces, const Vec3& n, OverlapMeasure measure,
-                                ChordPlanes& planes) {
-  if (measure == OverlapMeasure::kWidth) {
-    double low = std::numeric_limits<double>::max(), high = -low;
-    for (std::size_t k = 0; k < pieces.of_edges; ++k) {
-      const double p = n.dot(pieces.from[k]), q = n.dot(pieces.to[k]);
-      low = std::min(low, std::min(p, q));
-      high = std::max(high, std::max(p, q));
+HWY_INLINE double chord_along(const Vec3& n, DepthInput& in) {
+  for (std::size_t side = 0; side < 2; ++side) {
+    for (std::size_t f = 0; f < in.planes[side]->count; ++f) {
+      in.slope[side][f] = n.dot(in.planes[side]->normal(f));
     }
-    return high - low;
   }
-  for (std::size_t f = 0; f < 2 * kFastKept; ++f) {
-    const bool kept = f < kFastKept ? f < planes.kept_a : f < kFastKept + planes.kept_b;
-    if (kept) planes.slope[f] = n.dot(planes.normal[f]);
-  }
-  ChordPoints points;
+  return std::max(chord_over_points(in), chord_over_crossings(in, n));
+}
+
+HWY_INLINE double width_along(const Vec3& n, const Pieces& pieces) {
+  double low = std::numeric_limits<double>::max(), high = -low;
   for (std::size_t k = 0; k < pieces.of_edges; ++k) {
-    points.add(pieces.from[k]);
-    points.add(pieces.to[k]);
+    const double p = n.dot(pieces.from[k]), q = n.dot(pieces.to[k]);
+    low = std::min(low, std::min(p, q));
+    high = std::max(high, std::max(p, q));
   }
-  return chord_over_crossings(pieces, n, planes, points);
+  return high - low;
 }
 
 // Stages 3 to 5 by edges, for shapes of at most 64 vertices and faces. `u` and the heights of the slab
 // in the frame of the pair.
-HWY_INLINE EdgeWay overlap_by_edges(const PairFrame& frame, const PatchOptions& options,
+HWY_NOINLINE EdgeWay overlap_by_edges(const PairFrame& frame, const PatchOptions& options,
                                     const Vec3& u, const Vec3& last, PairOverlap& found,
                                     Vec3& normal, double& overlap) {
   const Shape& a = *frame.a;
@@ -218,24 +233,32 @@ HWY_INLINE EdgeWay overlap_by_edges(const PairFrame& frame, const PatchOptions& 
   if (pieces.count == 0) return EdgeWay::kApart;
   if (!traces.paired() || !collect_traces(traces, pieces)) return EdgeWay::kAskPolygons;
 
-  ChordPlanes planes;
-  planes.kept_a = planes_a.count;
-  planes.kept_b = planes_b.count;
-  Vec3 foot[2 * kFastKept];
+  Vec3 foot[2 * kFastKept], plane_normal[2 * kFastKept];
   for (std::size_t side = 0; side < 2; ++side) {
     const KeptPlanes& kept = side == 0 ? planes_a : planes_b;
     for (std::size_t k = 0; k < kept.count; ++k) {
-      const std::size_t f = side * kFastKept + k;
-      planes.normal[f] = kept.normal(k);
-      planes.offset[f] = kept.d[k] - planes.normal[f].dot(reference);
-      foot[f] = planes.offset[f] * planes.normal[f];
+      const Vec3 face_normal = kept.normal(k);
+      plane_normal[side * kFastKept + k] = face_normal;
+      foot[side * kFastKept + k] = (kept.d[k] - face_normal.dot(reference)) * face_normal;
     }
   }
-  sum_pieces(pieces, foot, planes.normal, options.model, found);
+  sum_pieces(pieces, foot, plane_normal, options.model, found);
   const TouchKind kind = judge_overlap(frame, found);
   if (kind == TouchKind::kNone) return EdgeWay::kApart;
   normal = overlap_normal(frame, found, kind, last);
-  overlap = overlap_along(pieces, normal, options.overlap, planes);
+  if (options.overlap == OverlapMeasure::kWidth) {
+    overlap = width_along(normal, pieces);
+  } else {
+    DepthInput depth;
+    depth.planes[0] = &planes_a;
+    depth.planes[1] = &planes_b;
+    depth.edges[0] = &edges_a;
+    depth.edges[1] = &edges_b;
+    depth.near = kCoincident * frame.reach;
+    depth.add_points(in_a, a.x.data(), a.y.data(), a.z.data());
+    depth.add_points(in_b, x, y, z);
+    overlap = chord_along(normal, depth);
+  }
   found.moment += reference.cross(found.vector_area);
   found.centroid += reference;
   return EdgeWay::kTouching;

@@ -19,7 +19,8 @@ constexpr double kClosed = 1e-8;
 // The planes and vertices of both bodies in the frame of the pair; labels are A's faces, then B's.
 struct PairPlanes {
   Plane plane[2 * kMaxShapeFaces];
-  bool kept[2 * kMaxShapeFaces];
+  bool kept[2 * kMaxShapeFaces];     // by the slab
+  bool dropped[2 * kMaxShapeFaces];  // of B, as it lies in a face of A: it cuts and bounds nothing
   Vec3 vertex[2][kMaxShapeVertices];
   int kept_label[2 * kMaxShapeFaces];
   Plane kept_plane[2 * kMaxShapeFaces];
@@ -55,6 +56,7 @@ bool cull(const PairFrame& frame, const Vec3* slab, PairPlanes& planes) noexcept
   const Shape& a = *frame.a;
   const Shape& b = *frame.b;
   std::fill_n(planes.kept, a.faces + b.faces, true);
+  std::fill_n(planes.dropped, a.faces + b.faces, false);
   if (slab == nullptr) return true;
   double high = slab->dot(planes.vertex[0][0]), low = slab->dot(planes.vertex[1][0]);
   for (std::size_t v = 1; v < a.vertices; ++v) {
@@ -75,13 +77,12 @@ bool drop_coincident(const PairFrame& frame, PairPlanes& planes) noexcept {
   bool any = false;
   const std::size_t of_a = frame.a->faces, all = of_a + frame.b->faces;
   for (std::size_t g = of_a; g < all; ++g) {
-    for (std::size_t f = 0; f < of_a && planes.kept[g]; ++f) {
-      if (!planes.kept[f]) continue;
+    for (std::size_t f = 0; f < of_a && !planes.dropped[g]; ++f) {
+      if (!planes.kept[f] || !planes.kept[g]) continue;
       const Plane &p = planes.plane[f], &q = planes.plane[g];
       if (std::abs(p.offset - q.offset) > kCoincident * frame.reach) continue;
       if ((p.normal - q.normal).squaredNorm() > kCoincidentNormals * kCoincidentNormals) continue;
-      planes.kept[g] = false;
-      any = true;
+      planes.dropped[g] = any = true;
     }
   }
   return any;
@@ -106,6 +107,7 @@ void clip_side(const PairFrame& frame, const PairPlanes& planes, int side, ClipB
   const int end = side == 0 ? planes.kept_of_a : planes.kept_faces;
   for (int own = begin; own < end; ++own) {
     const int label = planes.kept_label[own];
+    if (planes.dropped[label]) continue;
     const std::size_t face = std::size_t(label - base);
     buffers.start();
     for (std::size_t k = shape.face_begin[face]; k < shape.face_begin[face + 1]; ++k) {
@@ -116,11 +118,81 @@ void clip_side(const PairFrame& frame, const PairPlanes& planes, int side, ClipB
     }
     bool left = true;
     for (int k = 0; k < planes.kept_faces && left; ++k) {
-      if (k >= begin && k < end) continue;
+      if ((k >= begin && k < end) || planes.dropped[planes.kept_label[k]]) continue;
       left = clip_polygon(buffers, planes.kept_plane[k], planes.kept_label[k]);
     }
     if (left) sums.add_face(*buffers.now, planes.plane[label], label, side);
   }
+}
+
+// Exit from A less entry into B on the line through x along n, negative if it misses either. Heights
+// within rounding are zero: a point on a face parallel to n must not be taken for outside.
+double chord_on_line(const PairFrame& frame, const PairPlanes& planes, const Vec3& x,
+                     const Vec3& n) noexcept {
+  constexpr double kFar = 1e30;
+  double entry[2] = {-kFar, -kFar}, exit[2] = {kFar, kFar};
+  for (int k = 0; k < planes.kept_faces; ++k) {
+    const int side = k < planes.kept_of_a ? 0 : 1;
+    double height = planes.kept_plane[k].height(x);
+    if (height <= kCoincident * frame.reach) height = std::min(0.0, height);
+    const double slope = n.dot(planes.kept_plane[k].normal);
+    if (slope > 1 / kFar) exit[side] = std::min(exit[side], -height / slope);
+    if (slope < -1 / kFar) entry[side] = std::max(entry[side], -height / slope);
+    if (std::abs(slope) <= 1 / kFar && height > 0) return -1;
+  }
+  const bool hits = entry[0] <= exit[0] && entry[1] <= exit[1];
+  return hits && exit[0] < kFar && entry[1] > -kFar ? exit[0] - entry[1] : -1;
+}
+
+// An edge of one body with a face that was kept, in the frame of the pair.
+struct KeptEdge {
+  Vec3 from, along;
+};
+int gather_edges(const PairFrame& frame, const PairPlanes& planes, int side, const Vec3& outward,
+                 KeptEdge* out) noexcept {
+  const Shape& shape = side == 0 ? *frame.a : *frame.b;
+  const std::size_t base = side == 0 ? 0 : frame.a->faces;
+  int count = 0;
+  for (std::size_t e = 0; e < shape.edges; ++e) {
+    bool faces_out = false;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const std::size_t face = base + shape.edge_face[2 * e + k];
+      faces_out |= planes.kept[face] && outward.dot(planes.plane[face].normal) > 0;
+    }
+    if (!faces_out) continue;
+    const Vec3& from = planes.vertex[side][shape.edge_vertex[2 * e]];
+    out[count++] = {from, planes.vertex[side][shape.edge_vertex[2 * e + 1]] - from};
+  }
+  return count;
+}
+
+// How far B must move along n to leave A. The exit from A is a concave function over the plane across
+// n, the entry into B a convex one, both linear in pieces: the greatest difference lies over a vertex
+// or over a crossing of edges. All candidates are lower bounds.
+double chord_between(const PairFrame& frame, const PairPlanes& planes, const Vec3& n) noexcept {
+  double best = 0;
+  for (int side = 0; side < 2; ++side) {
+    const Shape& shape = side == 0 ? *frame.a : *frame.b;
+    for (std::size_t v = 0; v < shape.vertices; ++v) {
+      best = std::max(best, chord_on_line(frame, planes, planes.vertex[side][v], n));
+    }
+  }
+  KeptEdge up[kMaxShapeEdges], down[kMaxShapeEdges];
+  const int ups = gather_edges(frame, planes, 0, n, up);
+  const int downs = gather_edges(frame, planes, 1, -n, down);
+  for (int i = 0; i < ups; ++i) {
+    const Vec3 across = n.cross(up[i].along);
+    for (int j = 0; j < downs; ++j) {
+      const Vec3 apart = down[j].from - up[i].from;
+      const double turn = across.dot(down[j].along), sign = turn < 0 ? -1 : 1;
+      const double t = sign * n.dot(apart.cross(down[j].along)), s = -sign * across.dot(apart);
+      const double size = sign * turn;
+      if (!(size > 0) || t < 0 || s < 0 || t > size || s > size) continue;
+      best = std::max(best, (t / size) * n.dot(up[i].along) - (s / size) * n.dot(down[j].along) -
+                                n.dot(apart));
+    }
+  }
+  return best;
 }
 
 }  // namespace
@@ -191,13 +263,8 @@ bool overlap_by_polygons(const PairFrame& frame, const PatchOptions& options, co
   const TouchKind kind = judge_overlap(frame, found);
   if (kind == TouchKind::kNone) return false;
   normal = overlap_normal(frame, found, kind, last);
-  const std::size_t all = frame.a->faces + frame.b->faces;
-  for (std::size_t f = 0; f < all; ++f) {
-    if (!planes.kept[f]) planes.plane[f] = {Vec3::Zero(), 1};
-  }
-  overlap = options.overlap == OverlapMeasure::kWidth
-                ? sums.width(normal)
-                : sums.chord(normal, {planes.plane, all});
+  overlap = options.overlap == OverlapMeasure::kWidth ? sums.width(normal)
+                                                      : chord_between(frame, planes, normal);
   return true;
 }
 

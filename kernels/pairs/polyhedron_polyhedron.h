@@ -3,7 +3,7 @@
 // With I the overlap of A and B and S the vector area of A's surface inside B (outward of A):
 //   normal  n = S / |S| from A to B        (S = -dV/dx_B: the gradient of the overlap volume)
 //   point   the centroid of I
-//   overlap the longest chord of I along n, or the width of I along n
+//   overlap how far B must move along n to leave A (chord), or the width of I along n
 // after Xie, Ma, Song, Zhao, Powder Technology 386 (2021) 154-165, eq. 12, read in three dimensions.
 // All are continuous in the pose, save where a flush pair of faces slides through zero.
 //
