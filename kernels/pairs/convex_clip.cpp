@@ -1,7 +1,8 @@
 // Clipping of polygons and sums over the faces of an overlap; see convex_clip.h.
 //
-// Sums are taken relative to a corner of the overlap, so that they are as exact as its own size, not
-// as its distance from the origin: V = sum h A / 3 over the faces, first moment by cones (3/4 rule).
+// Sums are taken relative to a corner of the overlap, so that they are as exact as its own size,
+// not as its distance from the origin: V = sum h A / 3 over the faces, first moment by cones (3/4
+// rule).
 #include "kernels/pairs/convex_clip.h"
 
 #include <algorithm>
@@ -140,12 +141,13 @@ double OverlapSums::chord(const Vec3& n, std::span<const Plane> planes,
     double exit = std::numeric_limits<double>::max(), entry = -exit;
     for (std::size_t k = 0; k < planes.size(); ++k) {
       const double rise = n.dot(planes[k].normal);
-      const double along = -std::min(0.0, planes[k].height(x)) / (std::abs(rise) > kParallel ? rise : 1);
+      const double along =
+          -std::min(0.0, planes[k].height(x)) / (std::abs(rise) > kParallel ? rise : 1);
       if (k < of_a && rise > kParallel) exit = std::min(exit, along);
       if (k >= of_a && rise < -kParallel) entry = std::max(entry, along);
     }
-    const bool bounded = exit < std::numeric_limits<double>::max() &&
-                         entry > -std::numeric_limits<double>::max();
+    const bool bounded =
+        exit < std::numeric_limits<double>::max() && entry > -std::numeric_limits<double>::max();
     return bounded ? exit - entry : 0;
   };
   double best = 0;

@@ -1,14 +1,15 @@
 // The overlap of convex bodies by clipping polygons: areas, volume, centroid, depth along a normal.
 //
-// A polygon is cut by one plane after another (Sutherland and Hodgman, CACM 17, 1974) on the signs of
-// signed distances. There is no topology to go wrong: a sign that rounding has turned costs an area of
-// the order of rounding, never a crash. Each edge of a polygon remembers which plane lies beyond it,
-// which is what the depth along a normal needs: it is found on a line through a corner, or where an
-// edge between two faces that look up passes over one between two that look down.
+// A polygon is cut by one plane after another (Sutherland and Hodgman, CACM 17, 1974) on the signs
+// of signed distances. There is no topology to go wrong: a sign that rounding has turned costs an
+// area of the order of rounding, never a crash. Each edge of a polygon remembers which plane lies
+// beyond it, which is what the depth along a normal needs: it is found on a line through a corner,
+// or where an edge between two faces that look up passes over one between two that look down.
 //
-// All lengths here are in the frame of one polyhedron with unit equivalent radius ("body units"), so
-// that large plates and far origins never enter; to_body() leads there. Buffers are fixed; nothing is
-// allocated. kScratchFull tells that a limit was met, and the result is then a lower bound.
+// All lengths here are in the frame of one polyhedron with unit equivalent radius ("body units"),
+// so that large plates and far origins never enter; to_body() leads there. Buffers are fixed;
+// nothing is allocated. kScratchFull tells that a limit was met, and the result is then a lower
+// bound.
 #pragma once
 
 #include <span>
@@ -18,9 +19,9 @@
 namespace quern {
 
 enum class OverlapMeasure : std::uint8_t {
-  kChord,  // how far to move along the normal to come apart: on all lines along it, the most that the
-           // exit from A lies beyond the entry into B
-  kWidth   // extent of the overlap along the normal
+  kChord,  // how far to move along the normal to come apart: on all lines along it, the most that
+           // the exit from A lies beyond the entry into B
+  kWidth  // extent of the overlap along the normal
 };
 enum class NormalModel : std::uint8_t {
   kStiffness,  // force = stiffness x overlap
@@ -37,12 +38,12 @@ struct Plane {
   double height(const Vec3& x) const noexcept { return normal.dot(x) - offset; }
 };
 
-inline constexpr int kMaxShapeFaces = 512;     // set-up refuses shapes with more faces or vertices
+inline constexpr int kMaxShapeFaces = 512;  // set-up refuses shapes with more faces or vertices
 inline constexpr int kMaxShapeVertices = 1024;
 inline constexpr int kMaxShapeEdges = kMaxShapeFaces + kMaxShapeVertices;  // Euler: two fewer
 inline constexpr int kMaxCorners = 1600;       // of a polygon while it is clipped
 inline constexpr int kMaxOverlapEdges = 4096;  // of an overlap, each counted from both its faces
-inline constexpr double kCoincident = 32 * 2.220446049250313e-16;         // of the size
+inline constexpr double kCoincident = 32 * 2.220446049250313e-16;          // of the size
 inline constexpr double kCoincidentNormals = 400 * 2.220446049250313e-16;  // rad
 
 // A convex polygon, counterclockwise seen along -normal. Left uninitialised on purpose.
@@ -98,7 +99,8 @@ class OverlapSums {
   double volume() const noexcept { return volume_; }
   double area() const noexcept { return area_; }  // of the whole surface
   Vec3 centroid() const noexcept { return reference_ + first_ / volume_; }
-  // Vector area of A's surface in B, outward of A. Taken from both sides, which closure makes equal.
+  // Vector area of A's surface in B, outward of A. Taken from both sides, which closure makes
+  // equal.
   Vec3 vector_area() const noexcept { return 0.5 * (side_[0] - side_[1]); }
   double closure_error() const noexcept { return (side_[0] + side_[1]).norm(); }
   // Moment of that surface about the origin: integral of x cross n.
@@ -127,11 +129,12 @@ class OverlapSums {
 struct PlaneOverlap {
   double volume = 0;
   Vec3 centroid = Vec3::Zero();
-  Vec3 vector_area = Vec3::Zero();  // of the shape's surface behind the planes; outward of the shape
-  Vec3 moment = Vec3::Zero();       // integral of x cross n over that surface, about the centroid of
-                                    // the shape
-  Vec3 normal = Vec3::Zero();       // of vector_area: from the shape into what the planes bound
-  double overlap = 0;               // chord or width along it
+  Vec3 vector_area =
+      Vec3::Zero();            // of the shape's surface behind the planes; outward of the shape
+  Vec3 moment = Vec3::Zero();  // integral of x cross n over that surface, about the centroid of
+                               // the shape
+  Vec3 normal = Vec3::Zero();  // of vector_area: from the shape into what the planes bound
+  double overlap = 0;          // chord or width along it
   bool full = false;
 };
 // False if there is no such part or it is thinner than rounding. At most kMaxShapeFaces planes.

@@ -150,15 +150,20 @@ HWY_INLINE Vec3 nearest_on_tetrahedron(Simplex& s) {
 
 HWY_INLINE Vec3 reduce(Simplex& s) {
   switch (s.count) {
-    case 1: return s.corner[0];
-    case 2: return nearest_on_segment(s);
-    case 3: return nearest_on_triangle(s);
-    default: return nearest_on_tetrahedron(s);
+    case 1:
+      return s.corner[0];
+    case 2:
+      return nearest_on_segment(s);
+    case 3:
+      return nearest_on_triangle(s);
+    default:
+      return nearest_on_tetrahedron(s);
   }
 }
 
-// A direction in the frame of the pair from A to B along which the bodies are apart, or, where there
-// is none, one along which they hardly overlap. `guess` starts the search. `gap` >= 0: apart by it.
+// A direction in the frame of the pair from A to B along which the bodies are apart, or, where
+// there is none, one along which they hardly overlap. `guess` starts the search. `gap` >= 0: apart
+// by it.
 inline Vec3 find_axis(const PairFrame& frame, const Vec3& guess, double& gap) noexcept {
   constexpr int kIterations = 32;
   constexpr double kGoodGap = 0.9;  // of the distance: worth keeping

@@ -1,16 +1,18 @@
 // The overlap of two polyhedra from their edges: each edge as an interval inside the other body.
 //
-// Included once per Highway target. The surface of the overlap is bounded by pieces of edges of A and
-// of B, and by traces, where a face of A cuts a face of B. An edge's interval [t0, t1] comes from the
-// planes of the other body, lanes over edges; an end that plane g has cut off is also an end of the
-// traces of g on both faces at that edge. Every trace has exactly one start and one end:
+// Included once per Highway target. The surface of the overlap is bounded by pieces of edges of A
+// and of B, and by traces, where a face of A cuts a face of B. An edge's interval [t0, t1] comes
+// from the planes of the other body, lanes over edges; an end that plane g has cut off is also an
+// end of the traces of g on both faces at that edge. Every trace has exactly one start and one end:
 //
 //       on face f of A (counterclockwise):   edge of A ... leaves B through g
 //                                            trace (f, g)  start = that point
-//                                            trace (f, g)  end   = where an edge of A enters, or where
+//                                            trace (f, g)  end   = where an edge of A enters, or
+//                                            where
 //                                                                  an edge of B at g pierces f
 // If the ends do not pair up, rounding has decided against geometry somewhere and the polygons are
-// asked instead. Sums need each piece once, with the feet c of the reference point on both its planes:
+// asked instead. Sums need each piece once, with the feet c of the reference point on both its
+// planes:
 //   6 V = sum (c_left - c_right) . (p x q),   2 S = sum over traces of p x q.
 #if defined(QUERN_KERNELS_PAIRS_POLYHEDRON_EDGES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef QUERN_KERNELS_PAIRS_POLYHEDRON_EDGES_INL_H_
@@ -80,11 +82,11 @@ HWY_INLINE std::uint64_t vertices_above(const Shape& shape, const Vec3& u, doubl
   return shape.vertices == 64 ? bits : bits & ((1ull << shape.vertices) - 1);
 }
 
-// Edges with an end in `vertices`; x, y, z hold the vertices in the frame of the pair. False if they
-// are too many.
+// Edges with an end in `vertices`; x, y, z hold the vertices in the frame of the pair. False if
+// they are too many.
 HWY_NOINLINE bool gather_edges(const Shape& shape, std::uint64_t vertices, const double* x,
-                             const double* y, const double* z, const std::uint8_t* slot,
-                             EdgeLanes& out) {
+                               const double* y, const double* z, const std::uint8_t* slot,
+                               EdgeLanes& out) {
   std::uint8_t chosen[3 * kFastVertices];
   const std::uint16_t* ends = shape.edge_vertex.data();
   std::size_t count = 0;
@@ -178,7 +180,7 @@ HWY_INLINE Vec3 edge_point(const EdgeLanes& edges, std::size_t k, double t) {
 
 // Pieces of A's edges (side 0) or B's (side 1), and the ends of traces they mark.
 HWY_NOINLINE void collect_pieces(const EdgeLanes& edges, std::size_t side, Vec3& reference,
-                               Pieces& pieces, TraceEnds& traces) {
+                                 Pieces& pieces, TraceEnds& traces) {
   for (std::uint64_t bits = edges.inside; bits != 0; bits &= bits - 1) {
     const std::size_t k = static_cast<std::size_t>(__builtin_ctzll(bits));
     if (pieces.count == 0) reference = edge_point(edges, k, edges.t0[k]);
@@ -228,10 +230,10 @@ HWY_INLINE bool collect_traces(const TraceEnds& traces, Pieces& pieces) {
   return true;
 }
 
-// Volume, first moment, vector area, surface, and with `moment` the moment of A's part, all about the
-// reference.
+// Volume, first moment, vector area, surface, and with `moment` the moment of A's part, all about
+// the reference.
 HWY_NOINLINE void sum_pieces(const Pieces& pieces, const Vec3* foot, const Vec3* normal,
-                           NormalModel model, PairOverlap& out) {
+                             NormalModel model, PairOverlap& out) {
   double volume = 0, surface = 0;
   Vec3 first = Vec3::Zero(), area = Vec3::Zero(), moment = Vec3::Zero();
   for (std::size_t k = 0; k < pieces.count; ++k) {

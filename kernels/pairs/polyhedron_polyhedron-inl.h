@@ -50,8 +50,7 @@ HWY_INLINE void place_vertices(const PairFrame& frame, double* x, double* y, dou
                   cz = broadcast(turn.col(2));
   for (std::size_t k = 0; k < b.vertices; k += hn::Lanes(d)) {
     const Vec3V<VD> v = load3(b.x.data(), b.y.data(), b.z.data(), k);
-    const Vec3V<VD> w =
-        add_scaled(add_scaled(add_scaled(place, v.z, cz), v.y, cy), v.x, cx);
+    const Vec3V<VD> w = add_scaled(add_scaled(add_scaled(place, v.z, cz), v.y, cy), v.x, cx);
     hn::StoreU(w.x, d, x + k);
     hn::StoreU(w.y, d, y + k);
     hn::StoreU(w.z, d, z + k);
@@ -72,8 +71,8 @@ HWY_INLINE bool any_coincident(const PairFrame& frame, const KeptPlanes& a, cons
   return false;
 }
 
-// What the depth along a normal is taken from: kept planes with their slopes against it, vertices in
-// the slab, edges in the slab.
+// What the depth along a normal is taken from: kept planes with their slopes against it, vertices
+// in the slab, edges in the slab.
 struct DepthInput {
   const KeptPlanes* planes[2];
   const EdgeLanes* edges[2];
@@ -136,8 +135,8 @@ HWY_NOINLINE double chord_over_points(DepthInput& in) {
   return chord < kFar ? chord : 0;
 }
 
-// Where an edge of A that bounds a face looking along n passes over one of B that bounds a face looking
-// against it; lanes over B's edges.
+// Where an edge of A that bounds a face looking along n passes over one of B that bounds a face
+// looking against it; lanes over B's edges.
 HWY_NOINLINE double chord_over_crossings(const DepthInput& in, const Vec3& normal) {
   const D64 d;
   const EdgeLanes &up = *in.edges[0], &down = *in.edges[1];
@@ -196,11 +195,11 @@ HWY_INLINE double width_along(const Vec3& n, const Pieces& pieces) {
   return high - low;
 }
 
-// Stages 3 to 5 by edges, for shapes of at most 64 vertices and faces. `u` and the heights of the slab
-// in the frame of the pair.
+// Stages 3 to 5 by edges, for shapes of at most 64 vertices and faces. `u` and the heights of the
+// slab in the frame of the pair.
 HWY_NOINLINE EdgeWay overlap_by_edges(const PairFrame& frame, const PatchOptions& options,
-                                    const Vec3& u, const Vec3& last, PairOverlap& found,
-                                    Vec3& normal, double& overlap) {
+                                      const Vec3& u, const Vec3& last, PairOverlap& found,
+                                      Vec3& normal, double& overlap) {
   const Shape& a = *frame.a;
   const Shape& b = *frame.b;
   const Vec3 ub = frame.turn.transpose() * u;
@@ -283,7 +282,8 @@ HWY_INLINE void keep_axis(const Vec3& u, double gap, std::uint32_t flags, PairAx
   axis.flags = flags;
 }
 
-// What is left for pairs that the known axis does not part. `u` (world frame, unit) begins the search.
+// What is left for pairs that the known axis does not part. `u` (world frame, unit) begins the
+// search.
 HWY_NOINLINE bool search_and_clip(const ShapePose& a, const ShapePose& b,
                                   const PatchOptions& options, const Vec3& u, PairAxis& axis,
                                   PolyhedronTouch& out) noexcept {

@@ -1,8 +1,8 @@
 // The plain way: stages 3 to 5 with polygons, and the decisions both ways share.
 //
-// Slab cull: a face of A none of whose vertices reaches the lowest point of B along u cannot bound the
-// overlap, because inside the slab its half-space is implied by the others (convexity); likewise for
-// B. So the overlap is cut out by the kept planes alone, for any u.
+// Slab cull: a face of A none of whose vertices reaches the lowest point of B along u cannot bound
+// the overlap, because inside the slab its half-space is implied by the others (convexity);
+// likewise for B. So the overlap is cut out by the kept planes alone, for any u.
 #include "kernels/pairs/polyhedron_polyhedron.h"
 
 #include <algorithm>
@@ -125,8 +125,8 @@ void clip_side(const PairFrame& frame, const PairPlanes& planes, int side, ClipB
   }
 }
 
-// Exit from A less entry into B on the line through x along n, negative if it misses either. Heights
-// within rounding are zero: a point on a face parallel to n must not be taken for outside.
+// Exit from A less entry into B on the line through x along n, negative if it misses either.
+// Heights within rounding are zero: a point on a face parallel to n must not be taken for outside.
 double chord_on_line(const PairFrame& frame, const PairPlanes& planes, const Vec3& x,
                      const Vec3& n) noexcept {
   constexpr double kFar = 1e30;
@@ -166,9 +166,9 @@ int gather_edges(const PairFrame& frame, const PairPlanes& planes, int side, con
   return count;
 }
 
-// How far B must move along n to leave A. The exit from A is a concave function over the plane across
-// n, the entry into B a convex one, both linear in pieces: the greatest difference lies over a vertex
-// or over a crossing of edges. All candidates are lower bounds.
+// How far B must move along n to leave A. The exit from A is a concave function over the plane
+// across n, the entry into B a convex one, both linear in pieces: the greatest difference lies over
+// a vertex or over a crossing of edges. All candidates are lower bounds.
 double chord_between(const PairFrame& frame, const PairPlanes& planes, const Vec3& n) noexcept {
   double best = 0;
   for (int side = 0; side < 2; ++side) {
@@ -188,8 +188,8 @@ double chord_between(const PairFrame& frame, const PairPlanes& planes, const Vec
       const double t = sign * n.dot(apart.cross(down[j].along)), s = -sign * across.dot(apart);
       const double size = sign * turn;
       if (!(size > 0) || t < 0 || s < 0 || t > size || s > size) continue;
-      best = std::max(best, (t / size) * n.dot(up[i].along) - (s / size) * n.dot(down[j].along) -
-                                n.dot(apart));
+      best = std::max(
+          best, (t / size) * n.dot(up[i].along) - (s / size) * n.dot(down[j].along) - n.dot(apart));
     }
   }
   return best;
@@ -198,8 +198,12 @@ double chord_between(const PairFrame& frame, const PairPlanes& planes, const Vec
 }  // namespace
 
 PairFrame pair_frame(const ShapePose& a, const ShapePose& b) noexcept {
-  PairFrame frame{a.shape, b.shape, b.scale / a.scale, a.turn.transpose() * b.turn,
-                  a.turn.transpose() * (b.place - a.place) / a.scale, 0};
+  PairFrame frame{a.shape,
+                  b.shape,
+                  b.scale / a.scale,
+                  a.turn.transpose() * b.turn,
+                  a.turn.transpose() * (b.place - a.place) / a.scale,
+                  0};
   frame.reach = a.shape->bound_radius + frame.ratio * b.shape->bound_radius;
   return frame;
 }
@@ -235,8 +239,8 @@ void finish_touch(const ShapePose& a, const PairOverlap& found, const Vec3& norm
   out.volume = square * length * found.volume;
   out.vector_area = square * (a.turn * found.vector_area);
   out.area = square * found.vector_area.norm();
-  out.moment = square * length *
-               (a.turn * (found.moment - found.centroid.cross(found.vector_area)));
+  out.moment =
+      square * length * (a.turn * (found.moment - found.centroid.cross(found.vector_area)));
   out.flags = found.flags;
 }
 
@@ -276,9 +280,8 @@ bool touch_polyhedra_plain(const ShapePose& a, const ShapePose& b, const PatchOp
   Vec3 normal;
   double overlap = 0;
   const Vec3 slab_here = slab != nullptr ? Vec3(a.turn.transpose() * *slab) : Vec3::Zero();
-  const bool touching =
-      overlap_by_polygons(frame, options, slab != nullptr ? &slab_here : nullptr,
-                          a.turn.transpose() * last, found, normal, overlap);
+  const bool touching = overlap_by_polygons(frame, options, slab != nullptr ? &slab_here : nullptr,
+                                            a.turn.transpose() * last, found, normal, overlap);
   if (touching) {
     finish_touch(a, found, normal, overlap, out);
   } else {

@@ -4,16 +4,16 @@
 //   normal  n = S / |S| from A to B        (S = -dV/dx_B: the gradient of the overlap volume)
 //   point   the centroid of I
 //   overlap how far B must move along n to leave A (chord), or the width of I along n
-// after Xie, Ma, Song, Zhao, Powder Technology 386 (2021) 154-165, eq. 12, read in three dimensions.
-// All are continuous in the pose, save where a flush pair of faces slides through zero.
+// after Xie, Ma, Song, Zhao, Powder Technology 386 (2021) 154-165, eq. 12, read in three
+// dimensions. All are continuous in the pose, save where a flush pair of faces slides through zero.
 //
 // The stages: 1. the axis on which the pair was last apart (or the last normal) rejects most pairs
 // by two supports; 2. if it fails and the pair did not touch, GJK looks for another; 3. only faces
 // with a vertex inside the slab that both bodies share along the axis can bound I; 4. these are
 // clipped; 5. sums, chord. Stage 4 on the fast way clips edges as intervals, lanes over edges, and
 // joins their ends to the traces of one surface on the other. Where ends do not pair up (faces in
-// one plane, edges that just meet) and for large shapes, polygons are clipped instead: the plain way,
-// which is also the oracle of tests. Geometry is f64 in the body frame of A, unit A.scale.
+// one plane, edges that just meet) and for large shapes, polygons are clipped instead: the plain
+// way, which is also the oracle of tests. Geometry is f64 in the body frame of A, unit A.scale.
 //
 // Evaluate a pair once, in a fixed order, and apply opposite forces.
 #pragma once
@@ -48,7 +48,7 @@ struct PolyhedronTouch {
   double area;       // m^2, |S|
   double volume;     // m^3
   Vec3 vector_area;  // m^2, S
-  Vec3 moment;       // m^3, integral of (x - point) cross n over A's surface in B; with kVolume only
+  Vec3 moment;  // m^3, integral of (x - point) cross n over A's surface in B; with kVolume only
   std::uint32_t flags;  // set even if nothing touches
 };
 
@@ -57,8 +57,8 @@ struct PolyhedronTouch {
 bool touch_polyhedra(const ShapePose& a, const ShapePose& b, const PatchOptions& options,
                      PairAxis& axis, PolyhedronTouch& out) noexcept;
 
-// Stages 3 to 5 by polygons alone. `slab` (world frame) culls faces, any direction is right; null: all
-// faces. `last` stands in for a normal where one body is in the other.
+// Stages 3 to 5 by polygons alone. `slab` (world frame) culls faces, any direction is right; null:
+// all faces. `last` stands in for a normal where one body is in the other.
 bool touch_polyhedra_plain(const ShapePose& a, const ShapePose& b, const PatchOptions& options,
                            const Vec3* slab, const Vec3& last, PolyhedronTouch& out) noexcept;
 
@@ -75,7 +75,7 @@ PairFrame pair_frame(const ShapePose& a, const ShapePose& b) noexcept;
 
 // What both ways find, in the frame of the pair; finish_touch() decides and brings it home.
 struct PairOverlap {
-  double volume, surface;  // overlap; area of its whole surface
+  double volume, surface;              // overlap; area of its whole surface
   Vec3 centroid, vector_area, moment;  // moment about the origin
   std::uint32_t flags;
 };

@@ -1,9 +1,10 @@
-// Elastic, frictionless collisions of two rocks: what the contact itself does to energy and momentum.
+// Elastic, frictionless collisions of two rocks: what the contact itself does to energy and
+// momentum.
 //
-// force = k overlap n at the centroid is not the gradient of anything: a collision changes the energy
-// by an amount of the order of the overlap, whatever the step. force = k S with its moment is the
-// gradient of k V, and only the integrator is left. Velocity Verlet with the symmetric splitting
-// of rotation by Dullweber, Leimkuhler and McLachlan (1997).
+// force = k overlap n at the centroid is not the gradient of anything: a collision changes the
+// energy by an amount of the order of the overlap, whatever the step. force = k S with its moment
+// is the gradient of k V, and only the integrator is left. Velocity Verlet with the symmetric
+// splitting of rotation by Dullweber, Leimkuhler and McLachlan (1997).
 #include <gtest/gtest.h>
 
 #include "tests/support/polyhedra.h"
@@ -116,7 +117,8 @@ Figures collisions(const Setup& setup) {
     }
     const Vec3 direction = random_direction(random);
     bring_to_overlap(a.pose, b.pose, direction, 1e-9);
-    const Vec3 aim = (direction + 0.3 * Vec3(unit(random), unit(random), unit(random))).normalized();
+    const Vec3 aim =
+        (direction + 0.3 * Vec3(unit(random), unit(random), unit(random))).normalized();
     b.velocity = -setup.overlap * std::sqrt(0.5) * aim;
     a.velocity = -b.velocity;
     // Contact begins anywhere within a step.
@@ -139,16 +141,18 @@ class ElasticCollision : public testing::TestWithParam<OverlapMeasure> {};
 // with an independent program; nothing of it depends on the step.
 TEST_P(ElasticCollision, ChangesEnergyInProportionToTheOverlapOnly) {
   const PatchOptions options{GetParam(), NormalModel::kStiffness};
-  const Figures deep = collisions({1e-2, 100, options}), deep_fine = collisions({1e-2, 200, options});
+  const Figures deep = collisions({1e-2, 100, options}),
+                deep_fine = collisions({1e-2, 200, options});
   EXPECT_LE(deep.median, 1.2e-2);
   EXPECT_LE(deep.p90, 6e-2);
   EXPECT_NEAR(deep.median, deep_fine.median, 0.1 * deep_fine.median);
-  const Figures light = collisions({1e-3, 100, options}), light_fine = collisions({1e-3, 200, options});
+  const Figures light = collisions({1e-3, 100, options}),
+                light_fine = collisions({1e-3, 200, options});
   EXPECT_LE(light.median, 1.0e-3);
   EXPECT_LE(light.p90, 6e-3);
   EXPECT_NEAR(light.median, light_fine.median, 0.1 * light_fine.median);
-  std::printf("1e-2: %.2e %.2e (Tc/200 %.2e), 1e-3: %.2e %.2e (Tc/200 %.2e)\n", deep.median, deep.p90,
-              deep_fine.median, light.median, light.p90, light_fine.median);
+  std::printf("1e-2: %.2e %.2e (Tc/200 %.2e), 1e-3: %.2e %.2e (Tc/200 %.2e)\n", deep.median,
+              deep.p90, deep_fine.median, light.median, light.p90, light_fine.median);
 }
 
 INSTANTIATE_TEST_SUITE_P(Overlap, ElasticCollision,

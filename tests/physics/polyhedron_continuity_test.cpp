@@ -1,8 +1,8 @@
 // Force and torque of two polyhedra along paths through all the places where features change.
 //
 // A continuous quantity's greatest step between samples falls as the sampling is refined: to a
-// quarter from 2,000 to 8,000 samples where it is Lipschitz, to a half at the worst kind of corner of a
-// square root. A jump keeps its size. 0.35 tells them apart.
+// quarter from 2,000 to 8,000 samples where it is Lipschitz, to a half at the worst kind of corner
+// of a square root. A jump keeps its size. 0.35 tells them apart.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -42,8 +42,7 @@ Steps largest_steps(const ShapePose& a, ShapePose b, const Path& path, OverlapMe
   return out;
 }
 
-void expect_continuous(const ShapePose& a, const ShapePose& b, const Path& path,
-                       const char* what) {
+void expect_continuous(const ShapePose& a, const ShapePose& b, const Path& path, const char* what) {
   for (const OverlapMeasure measure : {OverlapMeasure::kChord, OverlapMeasure::kWidth}) {
     const Steps coarse = largest_steps(a, b, path, measure, 2000);
     const Steps fine = largest_steps(a, b, path, measure, 8000);
@@ -74,42 +73,54 @@ class PolyhedronSweep : public testing::Test {
 
 TEST_F(PolyhedronSweep, ThroughFlatIsContinuous) {
   b_.scale = 0.6;
-  expect_continuous(a_, b_, [](double s, ShapePose& b) {
-    b.turn = turn_about(Vec3(1, 0.3, 0), 0.4 * (s - 0.5));
-    b.place = Vec3(0.05, 0.02, 0.5 + 0.3 - 0.03);
-  }, "tilt through flat");
+  expect_continuous(
+      a_, b_,
+      [](double s, ShapePose& b) {
+        b.turn = turn_about(Vec3(1, 0.3, 0), 0.4 * (s - 0.5));
+        b.place = Vec3(0.05, 0.02, 0.5 + 0.3 - 0.03);
+      },
+      "tilt through flat");
 }
 
 TEST_F(PolyhedronSweep, RollingOverVertexEdgeAndFaceIsContinuous) {
   a_.shape = &plate_;
-  expect_continuous(a_, b_, [this](double s, ShapePose& b) {
-    // From a face to an edge, along it to a vertex, and down on the next face.
-    b.turn = turn_about(Vec3(0, 1, 0), kPi / 2 * std::min(1.0, 1.5 * s)) *
-             turn_about(Vec3(1, 0, 0), 0.6 * std::sin(kPi * s));
-    b.place = Vec3(0.3, 0.1, 0.5 - 0.03 - 0.01 * s - lowest(cube_, b.turn));
-  }, "vertex, edge, face");
+  expect_continuous(
+      a_, b_,
+      [this](double s, ShapePose& b) {
+        // From a face to an edge, along it to a vertex, and down on the next face.
+        b.turn = turn_about(Vec3(0, 1, 0), kPi / 2 * std::min(1.0, 1.5 * s)) *
+                 turn_about(Vec3(1, 0, 0), 0.6 * std::sin(kPi * s));
+        b.place = Vec3(0.3, 0.1, 0.5 - 0.03 - 0.01 * s - lowest(cube_, b.turn));
+      },
+      "vertex, edge, face");
 }
 
 TEST_F(PolyhedronSweep, OfAVertexOffAnEdgeIsContinuous) {
   const Mat3 tip_down = turn_about(Vec3(1, -1, 0), std::atan(std::sqrt(2.0)));
-  expect_continuous(a_, b_, [&](double s, ShapePose& b) {
-    b.turn = turn_about(Vec3(0, 0, 1), 0.2) * tip_down;
-    b.place = Vec3(0.2 + 0.6 * s, 0.07, 0.5 - 0.05 - lowest(cube_, b.turn));
-  }, "vertex over edge");
+  expect_continuous(
+      a_, b_,
+      [&](double s, ShapePose& b) {
+        b.turn = turn_about(Vec3(0, 0, 1), 0.2) * tip_down;
+        b.place = Vec3(0.2 + 0.6 * s, 0.07, 0.5 - 0.05 - lowest(cube_, b.turn));
+      },
+      "vertex over edge");
 }
 
 TEST_F(PolyhedronSweep, OfAFlatFaceOffAnEdgeIsContinuous) {
-  expect_continuous(a_, b_, [](double s, ShapePose& b) {
-    b.place = Vec3(0.5 + 0.6 * s, 0.1, 0.95);
-  }, "face off edge");
+  expect_continuous(
+      a_, b_, [](double s, ShapePose& b) { b.place = Vec3(0.5 + 0.6 * s, 0.1, 0.95); },
+      "face off edge");
 }
 
 TEST_F(PolyhedronSweep, OfEdgesThroughParallelIsContinuous) {
   a_.turn = turn_about(Vec3(1, 0, 0), kPi / 4);
-  expect_continuous(a_, b_, [this](double s, ShapePose& b) {
-    b.turn = turn_about(Vec3(0, 0, 1), 0.8 * (s - 0.5)) * a_.turn;
-    b.place = Vec3(0.1, 0.01, std::sqrt(2.0) - 0.05);
-  }, "edges twist through parallel");
+  expect_continuous(
+      a_, b_,
+      [this](double s, ShapePose& b) {
+        b.turn = turn_about(Vec3(0, 0, 1), 0.8 * (s - 0.5)) * a_.turn;
+        b.place = Vec3(0.1, 0.01, std::sqrt(2.0) - 0.05);
+      },
+      "edges twist through parallel");
 }
 
 TEST_F(PolyhedronSweep, OfFiveRandomPathsIsContinuous) {
@@ -125,10 +136,13 @@ TEST_F(PolyhedronSweep, OfFiveRandomPathsIsContinuous) {
     b_.turn = start;
     bring_to_overlap(a_, b_, direction, 0.1);
     const Vec3 middle = b_.place;
-    expect_continuous(a_, b_, [&](double s, ShapePose& b) {
-      b.turn = turn_about(about, 1.5 * (s - 0.5)) * start;
-      b.place = middle + 0.8 * (s - 0.5) * across;
-    }, "random path");
+    expect_continuous(
+        a_, b_,
+        [&](double s, ShapePose& b) {
+          b.turn = turn_about(about, 1.5 * (s - 0.5)) * start;
+          b.place = middle + 0.8 * (s - 0.5) * across;
+        },
+        "random path");
   }
 }
 

@@ -1,8 +1,8 @@
 // Nasty pairs of polyhedra: needles, plates, slivers, spare vertices, aligned and lattice places.
 //
-// What must hold for any pair: finite answers, no negative volume, the fast way and the plain way and
-// the swapped pair agree on whether there is a contact of any volume, at any scale and offset, and on
-// every SIMD target.
+// What must hold for any pair: finite answers, no negative volume, the fast way and the plain way
+// and the swapped pair agree on whether there is a contact of any volume, at any scale and offset,
+// and on every SIMD target.
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
 
@@ -38,11 +38,16 @@ Shape ball_shape(int around, int rings) {
 Shape spoilt_cube() {
   std::vector<Vec3> v;
   for (int k = 0; k < 8; ++k) v.emplace_back(k & 1 ? .5 : -.5, k & 2 ? .5 : -.5, k & 4 ? .5 : -.5);
-  v.push_back(v[0]);                  // 8: a duplicate of 0
-  v.emplace_back(0.1, -0.5, -0.5);    // 9: on the edge 0-1
+  v.push_back(v[0]);                // 8: a duplicate of 0
+  v.emplace_back(0.1, -0.5, -0.5);  // 9: on the edge 0-1
   return make_shape("spoilt", v,
-                    {{8, 2, 3, 1, 9}, {4, 5, 7}, {4, 7, 6}, {0, 8, 9, 1, 5, 4}, {2, 6, 7, 3},
-                     {0, 4, 6, 2, 8}, {1, 3, 7, 5}});
+                    {{8, 2, 3, 1, 9},
+                     {4, 5, 7},
+                     {4, 7, 6},
+                     {0, 8, 9, 1, 5, 4},
+                     {2, 6, 7, 3},
+                     {0, 4, 6, 2, 8},
+                     {1, 3, 7, 5}});
 }
 
 const std::vector<Shape>& nasty_shapes() {
@@ -56,7 +61,8 @@ const std::vector<Shape>& nasty_shapes() {
     out.push_back(box_shape(1, 1e-6, 1e-6));
     out.push_back(box_shape(10, 10, 0.1));
     out.push_back(ball_shape(20, 10));
-    out.push_back(make_shape("sliver", {{-.5, -.5, 0}, {.5, .5, 0}, {-.5, .5, 1e-4}, {.5, -.5, 1e-4}},
+    out.push_back(make_shape("sliver",
+                             {{-.5, -.5, 0}, {.5, .5, 0}, {-.5, .5, 1e-4}, {.5, -.5, 1e-4}},
                              {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}));
     out.push_back(spoilt_cube());
     return out;
@@ -83,8 +89,7 @@ void random_pair(std::mt19937_64& random, ShapePose& a, ShapePose& b) {
   const int kind = static_cast<int>(random() % 3);
   a.turn = kind == 0 ? random_turn(random) : aligned_turn(random);
   b.turn = kind == 0 ? random_turn(random) : kind == 1 ? a.turn : aligned_turn(random);
-  const double reach =
-      0.6 * std::min(a.shape->bound_radius + b.shape->bound_radius, 3.0);
+  const double reach = 0.6 * std::min(a.shape->bound_radius + b.shape->bound_radius, 3.0);
   for (int k = 0; k < 3; ++k) {
     b.place[k] = kind == 0 ? reach * unit(random) : 0.25 * double(random() % 9) - 1;
   }
@@ -108,14 +113,15 @@ void check_pair(const ShapePose& a, const ShapePose& b, double scale, FuzzCount&
   const bool hit = touch_polyhedra(a, b, {}, axis, fast);
   const bool plain_hit = touch_polyhedra_plain(a, b, {}, nullptr, last, plain);
   const bool swapped_hit = touch_polyhedra(b, a, {}, swapped_axis, swapped);
-  const double volume = std::max({hit ? fast.volume : 0, plain_hit ? plain.volume : 0,
-                                  swapped_hit ? swapped.volume : 0});
+  const double volume = std::max(
+      {hit ? fast.volume : 0, plain_hit ? plain.volume : 0, swapped_hit ? swapped.volume : 0});
   if (volume > 1e-12 * cube) {
     EXPECT_TRUE(hit && plain_hit && swapped_hit)
         << a.shape->name << " " << b.shape->name << " " << hit << plain_hit << swapped_hit << " "
         << volume;
   }
-  for (const auto& [touching, t] : {std::pair{hit, &fast}, {plain_hit, &plain}, {swapped_hit, &swapped}}) {
+  for (const auto& [touching, t] :
+       {std::pair{hit, &fast}, {plain_hit, &plain}, {swapped_hit, &swapped}}) {
     if (!touching) continue;
     EXPECT_TRUE(std::isfinite(t->overlap) && t->point.allFinite() && t->normal.allFinite());
     EXPECT_GT(t->volume, -1e-12 * cube);
@@ -130,8 +136,8 @@ void check_pair(const ShapePose& a, const ShapePose& b, double scale, FuzzCount&
   count.contained += hit && (fast.flags & kTouchContained) != 0;
   if (hit && plain_hit && volume > 1e-9 * cube && fast.area > 1e-6 * scale * scale &&
       !((fast.flags | plain.flags) & (kTouchContained | kTouchCoincident))) {
-    // Corners are off by eps R; a volume V of surface |S| then by eps R times its surface, which for
-    // the largest plate is 200 R^2.
+    // Corners are off by eps R; a volume V of surface |S| then by eps R times its surface, which
+    // for the largest plate is 200 R^2.
     EXPECT_NEAR(fast.volume, plain.volume, 1e-12 * cube)
         << a.shape->name << " " << b.shape->name << " " << fast.flags << " " << plain.flags;
   }

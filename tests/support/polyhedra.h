@@ -109,8 +109,9 @@ inline Shape box_shape(double lx, double ly, double lz) {
   for (int k = 0; k < 8; ++k) {
     v.emplace_back(k & 1 ? lx / 2 : -lx / 2, k & 2 ? ly / 2 : -ly / 2, k & 4 ? lz / 2 : -lz / 2);
   }
-  return make_shape("box", v,
-                    {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}});
+  return make_shape(
+      "box", v,
+      {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}});
 }
 
 inline Vec3 random_direction(std::mt19937_64& random) {
@@ -169,14 +170,15 @@ inline Shape rock_of_points(std::uint64_t seed, int points) {
 }
 
 // Moves b along the line of centres until the overlap (chord) is `wanted`, by halving.
-inline void bring_to_overlap(const ShapePose& a, ShapePose& b, const Vec3& direction, double wanted) {
+inline void bring_to_overlap(const ShapePose& a, ShapePose& b, const Vec3& direction,
+                             double wanted) {
   double near = 0, far = 1.01 * (a.scale * a.shape->bound_radius + b.scale * b.shape->bound_radius);
   for (int k = 0; k < 60; ++k) {
     const double middle = 0.5 * (near + far);
     b.place = a.place + middle * direction;
     PolyhedronTouch touch;
-    const bool deep = touch_polyhedra_plain(a, b, {}, &direction, direction, touch) &&
-                      touch.overlap > wanted;
+    const bool deep =
+        touch_polyhedra_plain(a, b, {}, &direction, direction, touch) && touch.overlap > wanted;
     (deep ? near : far) = middle;
   }
   b.place = a.place + near * direction;

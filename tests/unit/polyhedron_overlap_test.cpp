@@ -1,7 +1,8 @@
 // Two polyhedra: overlap, normal, point and depth against independent answers.
 //
-// The oracle for volume, centroid and width is Qhull: the half-spaces of both bodies become the points
-// of a dual hull, whose facets are the corners of the overlap; a second hull gives its volume.
+// The oracle for volume, centroid and width is Qhull: the half-spaces of both bodies become the
+// points of a dual hull, whose facets are the corners of the overlap; a second hull gives its
+// volume.
 #include <gtest/gtest.h>
 
 #include <cfenv>
@@ -37,8 +38,8 @@ std::vector<HullFacet> qhull(const std::vector<Vec3>& points) {
   if (failed == 0) {
     facetT* facet;
     FORALLfacets {
-      HullFacet f{{0, 0, 0}, Vec3(facet->normal[0], facet->normal[1], facet->normal[2]),
-                  facet->offset};
+      HullFacet f{
+          {0, 0, 0}, Vec3(facet->normal[0], facet->normal[1], facet->normal[2]), facet->offset};
       vertexT *vertex, **vertexp;
       std::size_t k = 0;
       FOREACHvertex_(facet->vertices) f.corner[k++] = qh_pointid(qh, vertex->point);
@@ -62,13 +63,12 @@ struct Solid {
 void add_half_spaces(const ShapePose& pose, const Vec3& inside, std::vector<Vec3>& poles) {
   for (std::size_t f = 0; f < pose.shape->faces; ++f) {
     const Vec3 n = pose.turn * pose.shape->normal(f);
-    const double slack =
-        pose.scale * pose.shape->d[f] + n.dot(pose.place) - n.dot(inside);
+    const double slack = pose.scale * pose.shape->d[f] + n.dot(pose.place) - n.dot(inside);
     if (slack > 0) poles.push_back(n / slack);
   }
 }
-// The intersection of two bodies, from a point inside both and stretched along n, which makes a thin
-// overlap round for Qhull; volumes and centroids go through stretching unharmed.
+// The intersection of two bodies, from a point inside both and stretched along n, which makes a
+// thin overlap round for Qhull; volumes and centroids go through stretching unharmed.
 Solid intersect(const ShapePose& a, const ShapePose& b, const Vec3& inside, const Vec3& n) {
   std::vector<Vec3> poles;
   add_half_spaces(a, inside, poles);
@@ -167,9 +167,9 @@ TEST(PolyhedronOverlap, IsTheIntersectionOfHalfSpaces) {
   }
 }
 
-// B leaves A where the ray along n leaves the hull of all differences of vertices. Slender rocks lean, so
-// that the line may leave B before it leaves A. 1e-9: rounding eps R over the least overlap, 1e-3 R,
-// and Qhull's merging some tens of that.
+// B leaves A where the ray along n leaves the hull of all differences of vertices. Slender rocks
+// lean, so that the line may leave B before it leaves A. 1e-9: rounding eps R over the least
+// overlap, 1e-3 R, and Qhull's merging some tens of that.
 TEST(PolyhedronOverlap, ChordIsTheWayOutAlongTheNormal) {
   Pairs pairs(19);
   for (int k = 0; k < 150; ++k) {
@@ -195,7 +195,8 @@ TEST(PolyhedronOverlap, ChordIsTheWayOutAlongTheNormal) {
   }
 }
 
-// Central differences over h: truncation (h/L)^2 with the overlap's size L, rounding eps R^3 / (h S).
+// Central differences over h: truncation (h/L)^2 with the overlap's size L, rounding eps R^3 / (h
+// S).
 TEST(PolyhedronOverlap, HasItsGradientInVectorAreaAndMoment) {
   Pairs pairs(12);
   PatchOptions options;
@@ -214,8 +215,8 @@ TEST(PolyhedronOverlap, HasItsGradientInVectorAreaAndMoment) {
       less.place[axis] -= h;
       gradient[axis] = -(volume_of(a, more) - volume_of(a, less)) / (2 * h);
       const Vec3 about = Vec3::Unit(axis);
-      torque[axis] = -(volume_of(a, turned(b, about, h)) - volume_of(a, turned(b, about, -h))) /
-                     (2 * h);
+      torque[axis] =
+          -(volume_of(a, turned(b, about, h)) - volume_of(a, turned(b, about, -h))) / (2 * h);
     }
     const Vec3 moment = t.moment + (t.point - b.place).cross(t.vector_area);
     area_errors.push_back((gradient - t.vector_area).norm() / t.area);
@@ -320,9 +321,10 @@ TEST(PolyhedronOverlap, GoesWithTheBodiesWhenBothAreMoved) {
   }
 }
 
-// Cube on cube, shifted sideways: S holds the side strips, n tilts by the overlap over the shift, and
-// the width picks that tilt up in both directions; the chord does not. 1e-3 covers what is of second
-// order at 1e-6 and the quantum of the place (1e-16) at 1e-14 once the overlap is taken as it is.
+// Cube on cube, shifted sideways: S holds the side strips, n tilts by the overlap over the shift,
+// and the width picks that tilt up in both directions; the chord does not. 1e-3 covers what is of
+// second order at 1e-6 and the quantum of the place (1e-16) at 1e-14 once the overlap is taken as
+// it is.
 TEST(PolyhedronOverlap, OfGrazingCubesIsOneChordAndThreeWidths) {
   const Shape cube = box_shape(1, 1, 1);
   ShapePose a, b;
@@ -344,7 +346,8 @@ TEST(PolyhedronOverlap, OfAVertexGrazingAFaceIsItsDepth) {
   const Shape cube = box_shape(1, 1, 1);
   // A tip at (0, 0, -1/2): an octahedron.
   const Shape tip = make_shape(
-      "octahedron", {{0.5, 0, 0}, {-0.5, 0, 0}, {0, 0.5, 0}, {0, -0.5, 0}, {0, 0, 0.5}, {0, 0, -0.5}},
+      "octahedron",
+      {{0.5, 0, 0}, {-0.5, 0, 0}, {0, 0.5, 0}, {0, -0.5, 0}, {0, 0, 0.5}, {0, 0, -0.5}},
       {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}});
   ShapePose a, b;
   a.shape = &cube;
@@ -438,7 +441,8 @@ TEST(PairAxis, GapIsALowerBoundAndTheAxisParts) {
   }
 }
 
-// Planes cut off a slice of a rock: the same slice that a large box behind the plane shares with it.
+// Planes cut off a slice of a rock: the same slice that a large box behind the plane shares with
+// it.
 TEST(PlaneOverlap, IsThatOfABoxBehindThePlane) {
   const Shape rock = rock_of_planes(5, 12), box = box_shape(20, 20, 20);
   std::mt19937_64 random(18);
