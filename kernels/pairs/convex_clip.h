@@ -32,9 +32,10 @@ struct PatchOptions {
   NormalModel model = NormalModel::kStiffness;
 };
 
+// Left uninitialised on purpose, as scratch holds a thousand of them.
 struct Plane {
-  Vec3 normal = Vec3::Zero();  // unit, outward
-  double offset = 0;           // normal . x <= offset inside
+  Vec3 normal;    // unit, outward
+  double offset;  // normal . x <= offset inside
   double height(const Vec3& x) const noexcept { return normal.dot(x) - offset; }
 };
 

@@ -31,8 +31,8 @@ namespace HWY_NAMESPACE {
 
 constexpr std::size_t kFastVertices = 64;  // one word of bits
 constexpr std::size_t kFastFaces = 64;
-constexpr std::size_t kFastKept = 16;   // planes of one body after the cull
-constexpr std::size_t kFastEdges = 48;  // edges of one body in the slab
+constexpr std::size_t kFastKept = 24;   // planes of one body after the cull
+constexpr std::size_t kFastEdges = 63;  // edges of one body in the slab
 constexpr std::size_t kFastPieces = 2 * kFastEdges + 64;
 
 struct KeptPlanes {
@@ -43,10 +43,10 @@ struct KeptPlanes {
 };
 
 struct EdgeLanes {
-  HWY_ALIGN double ax[kFastEdges + 8], ay[kFastEdges + 8], az[kFastEdges + 8];
-  HWY_ALIGN double bx[kFastEdges + 8], by[kFastEdges + 8], bz[kFastEdges + 8];
-  HWY_ALIGN double t0[kFastEdges + 8], t1[kFastEdges + 8];
-  HWY_ALIGN double cut0[kFastEdges + 8], cut1[kFastEdges + 8];  // plane at that end; -1: a vertex
+  HWY_ALIGN double ax[kFastEdges + 9], ay[kFastEdges + 9], az[kFastEdges + 9];
+  HWY_ALIGN double bx[kFastEdges + 9], by[kFastEdges + 9], bz[kFastEdges + 9];
+  HWY_ALIGN double t0[kFastEdges + 9], t1[kFastEdges + 9];
+  HWY_ALIGN double cut0[kFastEdges + 9], cut1[kFastEdges + 9];  // plane at that end; -1: a vertex
   std::uint8_t left[kFastEdges], right[kFastEdges];             // slots of the faces at the edge
   std::size_t count = 0;
   std::uint64_t inside = 0;  // edges with a piece in the other body
@@ -150,8 +150,9 @@ HWY_NOINLINE void clip_edges(const KeptPlanes& planes, EdgeLanes& edges) {
 
 // Where traces start and end, by (slot of A's face, slot of B's face).
 struct TraceEnds {
+  static constexpr std::size_t kWords = (kFastKept * kFastKept + 63) / 64;
   Vec3 start[kFastKept * kFastKept], end[kFastKept * kFastKept];
-  std::uint64_t started[4] = {0, 0, 0, 0}, ended[4] = {0, 0, 0, 0};
+  std::uint64_t started[kWords] = {}, ended[kWords] = {};
   std::uint64_t twice = 0;
   HWY_INLINE void put_start(std::size_t f, std::size_t g, const Vec3& p) {
     put(f * kFastKept + g, p, start, started);
@@ -160,8 +161,9 @@ struct TraceEnds {
     put(f * kFastKept + g, p, end, ended);
   }
   HWY_INLINE bool paired() const {
-    return (twice | (started[0] ^ ended[0]) | (started[1] ^ ended[1]) | (started[2] ^ ended[2]) |
-            (started[3] ^ ended[3])) == 0;
+    std::uint64_t odd = twice;
+    for (std::size_t word = 0; word < kWords; ++word) odd |= started[word] ^ ended[word];
+    return odd == 0;
   }
 
  private:
@@ -217,7 +219,7 @@ HWY_NOINLINE void collect_pieces(const EdgeLanes& edges, std::size_t side, Vec3&
 
 // False if there are too many.
 HWY_INLINE bool collect_traces(const TraceEnds& traces, Pieces& pieces) {
-  for (std::size_t word = 0; word < 4; ++word) {
+  for (std::size_t word = 0; word < TraceEnds::kWords; ++word) {
     for (std::uint64_t bits = traces.started[word]; bits != 0; bits &= bits - 1) {
       if (pieces.count == kFastPieces) return false;
       const std::size_t k = 64 * word + static_cast<std::size_t>(__builtin_ctzll(bits));

@@ -140,7 +140,7 @@ HWY_NOINLINE double chord_over_points(DepthInput& in) {
 HWY_NOINLINE double chord_over_crossings(const DepthInput& in, const Vec3& normal) {
   const D64 d;
   const EdgeLanes &up = *in.edges[0], &down = *in.edges[1];
-  HWY_ALIGN double counts[kFastEdges + 8];
+  HWY_ALIGN double counts[kFastEdges + 9];
   for (std::size_t k = 0; k < down.count + hn::Lanes(d); ++k) counts[k] = 0;
   for (std::size_t k = 0; k < down.count; ++k) {
     counts[k] = in.slope[1][down.left[k]] < 0 || in.slope[1][down.right[k]] < 0 ? 1 : 0;
