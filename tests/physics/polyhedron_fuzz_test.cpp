@@ -1,0 +1,222 @@
+// Nasty pairs of polyhedra: needles, plates, slivers, spare vertices, aligned and lattice places.
+//
+// What must hold for any pair: finite answers, no negative volume, the fast way and the plain way
+// and the swapped pair agree on whether there is a contact of any volume, at any scale and offset,
+// and on every SIMD target.
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include "tests/support/polyhedra.h"
+
+namespace quern {
+namespace {
+
+// Latitude and longitude: rings - 1 rings of `around` vertices and two poles.
+Shape ball_shape(int around, int rings) {
+  std::vector<Vec3> v = {Vec3(0, 0, 1), Vec3(0, 0, -1)};
+  for (int i = 1; i < rings; ++i) {
+    for (int k = 0; k < around; ++k) {
+      const double polar = kPi * i / rings, turn = 2 * kPi * k / around;
+      v.emplace_back(std::sin(polar) * std::cos(turn), std::sin(polar) * std::sin(turn),
+                     std::cos(polar));
+    }
+  }
+  const auto at = [&](int i, int k) { return Index(2 + (i - 1) * around + k % around); };
+  std::vector<std::vector<Index>> faces;
+  for (int k = 0; k < around; ++k) {
+    faces.push_back({0, at(1, k), at(1, k + 1)});
+    faces.push_back({1, at(rings - 1, k + 1), at(rings - 1, k)});
+    for (int i = 1; i + 1 < rings; ++i) {  // two coplanar triangles, not merged
+      faces.push_back({at(i, k), at(i + 1, k), at(i + 1, k + 1)});
+      faces.push_back({at(i, k), at(i + 1, k + 1), at(i, k + 1)});
+    }
+  }
+  return make_shape("ball", v, faces);
+}
+
+// A cube with a corner twice, a vertex on an edge, and a top of two coplanar faces.
+Shape spoilt_cube() {
+  std::vector<Vec3> v;
+  for (int k = 0; k < 8; ++k) v.emplace_back(k & 1 ? .5 : -.5, k & 2 ? .5 : -.5, k & 4 ? .5 : -.5);
+  v.push_back(v[0]);                // 8: a duplicate of 0
+  v.emplace_back(0.1, -0.5, -0.5);  // 9: on the edge 0-1
+  return make_shape("spoilt", v,
+                    {{8, 2, 3, 1, 9},
+                     {4, 5, 7},
+                     {4, 7, 6},
+                     {0, 8, 9, 1, 5, 4},
+                     {2, 6, 7, 3},
+                     {0, 4, 6, 2, 8},
+                     {1, 3, 7, 5}});
+}
+
+const std::vector<Shape>& nasty_shapes() {
+  static const std::vector<Shape> shapes = [] {
+    std::vector<Shape> out;
+    out.push_back(rock_of_planes(1, 12));
+    out.push_back(rock_of_points(1, 22));
+    out.push_back(box_shape(1, 1, 1));
+    out.push_back(box_shape(1, 1, 1e-3));
+    out.push_back(box_shape(1, 1e-3, 1e-3));
+    out.push_back(box_shape(1, 1e-6, 1e-6));
+    out.push_back(box_shape(10, 10, 0.1));
+    out.push_back(ball_shape(20, 10));
+    out.push_back(make_shape("sliver",
+                             {{-.5, -.5, 0}, {.5, .5, 0}, {-.5, .5, 1e-4}, {.5, -.5, 1e-4}},
+                             {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}));
+    out.push_back(spoilt_cube());
+    return out;
+  }();
+  return shapes;
+}
+
+Mat3 aligned_turn(std::mt19937_64& random) {
+  const Vec3 axes[3] = {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+  const std::size_t first = random() % 3, second = (first + 1 + random() % 2) % 3;
+  Mat3 turn;
+  turn.col(0) = (random() % 2 ? 1 : -1) * axes[first];
+  turn.col(1) = (random() % 2 ? 1 : -1) * axes[second];
+  turn.col(2) = turn.col(0).cross(turn.col(1));
+  return turn;
+}
+
+void random_pair(std::mt19937_64& random, ShapePose& a, ShapePose& b) {
+  const std::vector<Shape>& shapes = nasty_shapes();
+  std::uniform_real_distribution<double> unit(-1, 1);
+  a = b = ShapePose{};
+  a.shape = &shapes[random() % shapes.size()];
+  b.shape = &shapes[random() % shapes.size()];
+  const int kind = static_cast<int>(random() % 3);
+  a.turn = kind == 0 ? random_turn(random) : aligned_turn(random);
+  b.turn = kind == 0 ? random_turn(random) : kind == 1 ? a.turn : aligned_turn(random);
+  const double reach = 0.6 * std::min(a.shape->bound_radius + b.shape->bound_radius, 3.0);
+  for (int k = 0; k < 3; ++k) {
+    b.place[k] = kind == 0 ? reach * unit(random) : 0.25 * double(random() % 9) - 1;
+  }
+  if (kind != 0) b.place += std::pow(10, -3 - double(random() % 15)) * random_direction(random);
+}
+
+struct FuzzCount {
+  int hits = 0, thin = 0, polygons = 0, contained = 0;
+};
+
+double size_of(const ShapePose& a, const ShapePose& b) {
+  return std::max(a.scale * a.shape->bound_radius, b.scale * b.shape->bound_radius);
+}
+
+// One pair, one SIMD target, `scale`: lengths of the pair.
+void check_pair(const ShapePose& a, const ShapePose& b, double scale, FuzzCount& count) {
+  const double cube = scale * scale * scale;
+  PairAxis axis, swapped_axis;
+  PolyhedronTouch fast, plain, swapped;
+  const Vec3 last = Vec3::Zero();
+  const bool hit = touch_polyhedra(a, b, {}, axis, fast);
+  const bool plain_hit = touch_polyhedra_plain(a, b, {}, nullptr, last, plain);
+  const bool swapped_hit = touch_polyhedra(b, a, {}, swapped_axis, swapped);
+  const double volume = std::max(
+      {hit ? fast.volume : 0, plain_hit ? plain.volume : 0, swapped_hit ? swapped.volume : 0});
+  if (volume > 1e-12 * cube) {
+    EXPECT_TRUE(hit && plain_hit && swapped_hit)
+        << a.shape->name << " " << b.shape->name << " " << hit << plain_hit << swapped_hit << " "
+        << volume;
+  }
+  for (const auto& [touching, t] :
+       {std::pair{hit, &fast}, {plain_hit, &plain}, {swapped_hit, &swapped}}) {
+    if (!touching) continue;
+    EXPECT_TRUE(std::isfinite(t->overlap) && t->point.allFinite() && t->normal.allFinite());
+    EXPECT_GT(t->volume, -1e-12 * cube);
+    EXPECT_GE(t->overlap, 0);
+    EXPECT_LE(t->overlap, 2.0001 * size_of(a, b));
+    EXPECT_NEAR(t->normal.norm(), 1, 1e-14);
+  }
+  EXPECT_TRUE(std::isfinite(axis.gap) && axis.gap >= 0);
+  count.hits += hit;
+  count.thin += (fast.flags & kTouchThin) != 0;
+  count.polygons += (fast.flags & kTouchPolygons) != 0;
+  count.contained += hit && (fast.flags & kTouchContained) != 0;
+  if (hit && plain_hit && volume > 1e-9 * cube && fast.area > 1e-6 * scale * scale &&
+      !((fast.flags | plain.flags) & (kTouchContained | kTouchCoincident))) {
+    // Corners are off by eps R; a volume V of surface |S| then by eps R times its surface, which
+    // for the largest plate is 200 R^2.
+    EXPECT_NEAR(fast.volume, plain.volume, 1e-12 * cube)
+        << a.shape->name << " " << b.shape->name << " " << fast.flags << " " << plain.flags;
+  }
+}
+
+void fuzz(int pairs, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  FuzzCount count;
+  for (int k = 0; k < pairs; ++k) {
+    ShapePose a, b;
+    random_pair(random, a, b);
+    double scale = 1;
+    if (k % 4 == 1) scale = 1e-3;
+    if (k % 4 == 2) scale = 1e3;
+    a.scale *= scale;
+    b.scale *= scale;
+    b.place *= scale;
+    if (k % 4 == 3) {  // far away: the relative place is formed first, as the engine does
+      const Vec3 origin = 1e3 * random_direction(random);
+      b.place = (origin + b.place) - origin;
+    }
+    check_pair(a, b, scale, count);
+    if (testing::Test::HasFailure()) FAIL() << "pair " << k;
+  }
+  EXPECT_GT(count.hits, pairs / 4);
+  EXPECT_GT(count.contained, 0);
+  std::printf("%d pairs: %d hits, %d thin, %d by polygons, %d contained\n", pairs, count.hits,
+              count.thin, count.polygons, count.contained);
+}
+
+TEST(PolyhedronFuzz, TwentyThousandNastyPairsAgree) { fuzz(20000, 101); }
+TEST(SlowPolyhedronFuzz, TwoHundredThousandNastyPairsAgree) { fuzz(200000, 202); }
+
+// The twin is the plain way: no lanes, no traces, all faces. The overlap is 1e-3 R or more, so that
+// eps R of the corners is 1e-13 of it, and some tens of roundings more.
+TEST(PolyhedronTargets, AgreeWithTheScalarTwin) {
+  std::vector<Shape> shapes;
+  for (std::uint64_t k = 1; k <= 3; ++k) {
+    shapes.push_back(rock_of_planes(k, 12));
+    shapes.push_back(rock_of_points(k, 22));
+  }
+  for (const int faces : {4, 5, 7, 9, 16, 17, 25, 30}) shapes.push_back(rock_of_planes(9, faces));
+  std::mt19937_64 random(7);
+  std::vector<std::pair<ShapePose, ShapePose>> pairs;
+  for (int k = 0; k < 300; ++k) {
+    ShapePose a, b;
+    a.shape = &shapes[random() % shapes.size()];
+    b.shape = &shapes[random() % shapes.size()];
+    a.turn = random_turn(random);
+    b.turn = random_turn(random);
+    b.scale = 0.8;
+    bring_to_overlap(a, b, random_direction(random), k % 2 ? 1e-3 : 0.2);
+    pairs.emplace_back(a, b);
+  }
+  for (const auto target : hwy::SupportedAndGeneratedTargets()) {
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(target);
+    int by_edges = 0;
+    for (const auto& [a, b] : pairs) {
+      for (const OverlapMeasure measure : {OverlapMeasure::kChord, OverlapMeasure::kWidth}) {
+        const PatchOptions options{measure, NormalModel::kVolume};
+        PairAxis axis;
+        PolyhedronTouch fast, plain;
+        ASSERT_TRUE(touch_polyhedra(a, b, options, axis, fast)) << hwy::TargetName(target);
+        ASSERT_TRUE(touch_polyhedra_plain(a, b, options, nullptr, Vec3::Zero(), plain));
+        by_edges += (fast.flags & kTouchPolygons) == 0;
+        EXPECT_NEAR(fast.volume, plain.volume, 1e-10 * plain.volume) << hwy::TargetName(target);
+        EXPECT_NEAR(fast.overlap, plain.overlap, 1e-10 * plain.overlap);
+        EXPECT_LE((fast.normal - plain.normal).norm(), 1e-10);
+        EXPECT_LE((fast.point - plain.point).norm(), 1e-10);
+        EXPECT_LE((fast.moment - plain.moment).norm(), 1e-10 * plain.area);
+      }
+    }
+    // Deep pairs of 40 faces keep more planes than the fast way takes.
+    EXPECT_GT(by_edges, 400) << "the fast way was hardly asked";
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  hwy::GetChosenTarget().DeInit();
+}
+
+}  // namespace
+}  // namespace quern
