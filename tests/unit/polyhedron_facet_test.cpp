@@ -249,48 +249,69 @@ TEST(PolyhedronOverAFreeEdge, SlidesOffWithoutAJump) {
   EXPECT_LT(largest_step(4000) / largest_step(1000), 0.35);
 }
 
-// Shell of many pieces, nearly flat concave edges: a polyhedron sliding round it has one contact in
-// the middle of a piece, two about an edge, never none; each has the depth it has below the piece.
-TEST(PolyhedronInAShell, HasAContactForEachPieceItPressesInto) {
+// Shell of many pieces of 13 mm, nearly flat concave edges, and a rock of 8 mm that slides round it
+// with its deepest vertex up to 0.34 mm behind the pieces.
+struct ShellSlide {
+  double largest_step = 0, largest_force = 0;  // force in units of the stiffness, m
+  int single = 0, twice = 0, other = 0;
+};
+
+ShellSlide slide_round(const Facets& wall, const Shape& shape, const Mat3& turn, int samples) {
+  ShellSlide slide;
+  Vec3 before = Vec3::Zero();
+  for (int k = 0; k <= samples; ++k) {
+    const double angle = 0.5 * k / samples;
+    const Vec3 out(std::cos(angle), std::sin(angle), 0);
+    ShapePose pose{&shape, 0.004, Vec3::Zero(), turn};
+    pose.place = (0.15 + 2e-4 - deepest_vertex(pose, -out, 0)) * out;
+    const auto found = touches(wall, pose);
+    slide.single += found.size() == 1;
+    slide.twice += found.size() == 2;
+    slide.other += found.empty() || found.size() > 2;
+    Vec3 force = Vec3::Zero();
+    for (const WallPatch& p : found) {
+      force += p.overlap * p.normal;
+      EXPECT_LT(p.normal.dot(out), -0.99);
+      EXPECT_LT(p.overlap, 4e-4);  // 2e-4, the sagitta 1.43e-4, and 2.5 degrees of turn
+    }
+    if (k > 0) slide.largest_step = std::max(slide.largest_step, (force - before).norm());
+    slide.largest_force = std::max(slide.largest_force, force.norm());
+    before = force;
+  }
+  return slide;
+}
+
+Facets shell_of_pieces() {
   MillSpec mill = lab_mill();
   mill.lifters.reset();
   mill.pieces_per_arc = 72;
-  const Facets wall = facets_of(mill_shell(mill, -0.1, 0.1), 0.02);
-  const Shape shape = rock(12, 9);
-  const double radius = 0.15;
-  int single = 0, twice = 0;
-  const auto largest_step = [&](int samples) {
-    Vec3 before = Vec3::Zero();
-    double most = 0;
-    for (int k = 0; k <= samples; ++k) {
-      const double angle = 0.5 * k / samples;
-      const Vec3 out(std::cos(angle), std::sin(angle), 0);
-      ShapePose pose{&shape, 0.01, Vec3::Zero(), Mat3::Identity()};
-      double reach = 0;
-      for (std::size_t v = 0; v < shape.vertices; ++v) {
-        reach = std::max(reach, 0.01 * out.dot(shape.vertex(v)));
-      }
-      pose.place = (radius - reach + 2e-4) * out;
-      const auto found = touches(wall, pose);
-      EXPECT_GE(found.size(), 1u);
-      EXPECT_LE(found.size(), 2u);
-      single += found.size() == 1;
-      twice += found.size() == 2;
-      Vec3 force = Vec3::Zero();
-      for (const WallPatch& p : found) {
-        force += p.overlap * p.normal;
-        EXPECT_LT(p.normal.dot(out), -0.9);
-        EXPECT_LT(p.overlap, 1e-3);
-      }
-      if (k > 0) most = std::max(most, (force - before).norm());
-      before = force;
-    }
-    return most;
-  };
-  const double coarse = largest_step(1000), fine = largest_step(4000);
-  EXPECT_LT(fine / coarse, 0.35);
-  EXPECT_GT(single, 0);
-  EXPECT_GT(twice, 0);
+  return facets_of(mill_shell(mill, -0.1, 0.1), 0.02);
+}
+
+// One contact in the middle of a piece, two about an edge, never none, and the force goes from
+// piece to piece without a jump. (Where walls are not limited at concave edges, half of it appears
+// at once.)
+TEST(PolyhedronInAShell, PassesFromPieceToPieceWithoutAJump) {
+  const Facets wall = shell_of_pieces();
+  for (unsigned seed : {10u, 11u, 12u}) {
+    const Shape shape = rock(12, seed);
+    const Mat3 turn = Random(seed).turn();
+    const ShellSlide coarse = slide_round(wall, shape, turn, 1000);
+    const ShellSlide fine = slide_round(wall, shape, turn, 4000);
+    EXPECT_EQ(fine.other, 0);
+    EXPECT_GT(fine.single, 1000);
+    EXPECT_GT(fine.twice, 100);
+    EXPECT_LT(fine.largest_step / coarse.largest_step, 0.35);
+  }
+}
+
+// A face that leans over the edge before it enters the next piece brings the depth it leans over
+// with it: measured 8 % of the largest force, in whatever steps.
+TEST(PolyhedronInAShell, ALeaningFaceEntersWithAFractionOfTheForce) {
+  const Facets wall = shell_of_pieces();
+  const ShellSlide fine = slide_round(wall, rock(12, 9), Mat3::Identity(), 16000);
+  EXPECT_EQ(fine.other, 0);
+  EXPECT_LT(fine.largest_step, 0.1 * fine.largest_force);
 }
 
 // Whatever the grouping, nothing of the liner is lost: the patches' area vectors add up to those of
