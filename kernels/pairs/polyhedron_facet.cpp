@@ -26,18 +26,18 @@ constexpr double kRounding = 4e-16;
 
 // A range of kept corners.
 struct Kept {
-  int first = 0, count = 0;
+  int first, count;
 };
 
 // A plane of the wall that cuts the polyhedron, in body units.
 struct Surface {
   Plane plane;
-  Vec3 normal = Vec3::Zero();  // in the frame of the wall's body
-  Index group = 0, wall = 0;
+  Vec3 normal;  // in the frame of the wall's body
+  Index group, wall;
   Kept section;
-  double area = 0;
-  Vec3 moment = Vec3::Zero();  // integral of x cross normal
-  int patch = 0;               // lowest surface of the same patch
+  double area;
+  Vec3 moment;  // integral of x cross normal
+  int patch;    // lowest surface of the same patch
 };
 
 // The part of a triangle inside the polyhedron.
@@ -59,7 +59,8 @@ struct Work {
   const ShapePose& pose;
   const Shape& shape;
   ClipBuffers buffers;
-  std::array<Surface, kMaxSurfaces> surface;
+  std::array<Surface, kMaxSurfaces> surface;  // not set before use, nor are the next
+
   std::array<Part, kMaxParts> part;
   std::array<Joint, kMaxJoints> joint;
   std::array<Vec3, kMaxCornersKept> corner;
@@ -111,18 +112,14 @@ int surface_of(Work& work, const FacetRecord& facet) noexcept {
   }
   const Plane plane = facet_plane(work, facet);
   if (std::abs(plane.offset) >= work.shape.bound_radius) return -1;
-  Surface found;
-  found.plane = plane;
   if (!section_of_shape(work.shape, plane, work.buffers)) return -1;
-  if (work.surfaces == kMaxSurfaces || !keep_polygon(work, found.section)) {
+  Kept section;
+  if (work.surfaces == kMaxSurfaces || !keep_polygon(work, section)) {
     work.full = true;
     return -1;
   }
-  found.normal = facet.normal;
-  found.group = facet.group;
-  found.wall = facet.wall;
-  found.patch = work.surfaces;
-  work.surface[static_cast<std::size_t>(work.surfaces)] = found;
+  work.surface[static_cast<std::size_t>(work.surfaces)] = {
+      plane, facet.normal, facet.group, facet.wall, section, 0, Vec3::Zero(), work.surfaces};
   return work.surfaces++;
 }
 
@@ -317,10 +314,10 @@ bool overlap_of_patch(const Work& work, int patch, const PatchSums& sums, const 
   gather_planes(work, patch, planes);
   flags |= planes.flags;
   const Vec3 n = work.turned(normal);
-  if (overlap_with_wall(work.shape, planes.all(), planes.walls, n, overlap)) return true;
+  if (overlap_with_wall(work.shape, planes.all(), n, overlap)) return true;
   flags |= kPatchThin;
   const Plane& largest = work.surface[static_cast<std::size_t>(sums.largest)].plane;
-  return overlap_with_wall(work.shape, {&largest, 1}, 1, n, overlap);
+  return overlap_with_wall(work.shape, {&largest, 1}, n, overlap);
 }
 
 bool build_patch(const Work& work, int patch, const WallPatchOptions& options,

@@ -15,20 +15,36 @@ namespace quern {
 namespace {
 
 constexpr std::size_t kFaceWords = kMaxShapeFaces / 64;
+constexpr double kAlong = 1e-12;  // rad
 using FaceSet = std::array<std::uint64_t, kFaceWords>;
 
 bool has(const FaceSet& set, std::size_t face) { return (set[face / 64] >> (face % 64)) & 1; }
 
 // Faces with a vertex behind the plane, and faces with one before it.
 struct FaceSides {
-  FaceSet behind{}, before{};
-  double deepest = 0, highest = 0;  // heights of vertices
+  FaceSet behind, before;
+  double deepest, highest;  // heights of vertices
 };
+
+bool is_cut(const Shape& shape, const Plane& plane) noexcept {
+  double deepest = std::numeric_limits<double>::max(), highest = -deepest;
+  const double* x = shape.x.data();
+  const double* y = shape.y.data();
+  const double* z = shape.z.data();
+  for (std::size_t k = 0; k < shape.vertices; ++k) {
+    const double height =
+        plane.normal.x() * x[k] + plane.normal.y() * y[k] + plane.normal.z() * z[k] - plane.offset;
+    deepest = height < deepest ? height : deepest;
+    highest = height > highest ? height : highest;
+  }
+  return deepest < 0 && highest > 0;
+}
 
 FaceSides sides_of(const Shape& shape, const Plane& plane) noexcept {
   FaceSides sides;
   sides.deepest = std::numeric_limits<double>::max();
   sides.highest = -sides.deepest;
+  for (std::size_t w = 0; w < shape.face_words; ++w) sides.behind[w] = sides.before[w] = 0;
   for (std::size_t k = 0; k < shape.vertices; ++k) {
     const double height = plane.height(shape.vertex(k));
     sides.deepest = std::min(sides.deepest, height);
@@ -62,95 +78,6 @@ bool section(const Shape& shape, const Plane& plane, const FaceSides& sides, int
   return true;
 }
 
-// An edge of the overlap between two planes of the wall, or between two faces of the shape.
-struct Ridge {
-  Vec3 from, along;
-};
-constexpr int kMaxRidges = 512;
-struct Ridges {
-  Ridge list[kMaxRidges];
-  int count = 0;
-  bool full = false;
-  void add(const Vec3& from, const Vec3& to) noexcept {
-    if (count < kMaxRidges) {
-      list[count++] = {from, to - from};
-    } else {
-      full = true;
-    }
-  }
-};
-
-// Planes by label: faces of the shape first, then those of the wall.
-struct Bodies {
-  const Shape& shape;
-  std::span<const Plane> planes;
-  const Vec3& normal;
-
-  int faces() const { return static_cast<int>(shape.faces); }
-  bool is_wall(int label) const { return label >= faces(); }
-  double slope(int label) const {
-    return is_wall(label) ? normal.dot(planes[static_cast<std::size_t>(label - faces())].normal)
-                          : normal.dot(shape.normal(static_cast<std::size_t>(label)));
-  }
-  // From where the line through x along the normal enters the shape to where it leaves the wall. x
-  // lies in both, so a positive height is rounding.
-  double depth_at(const Vec3& x) const noexcept {
-    double up = std::numeric_limits<double>::max(), down = 0;
-    for (const Plane& plane : planes) {
-      const double rise = plane.normal.dot(normal);
-      if (rise > 1e-12) up = std::min(up, -std::min(0.0, plane.height(x)) / rise);
-    }
-    if (up == std::numeric_limits<double>::max()) return 0;
-    down = -std::numeric_limits<double>::max();
-    for (std::size_t f = 0; f < shape.faces; ++f) {
-      const Plane plane = face_plane(shape, f);
-      const double rise = plane.normal.dot(normal);
-      if (rise < -1e-12) down = std::max(down, -std::min(0.0, plane.height(x)) / rise);
-    }
-    return up - down;
-  }
-};
-
-double depth_along(const Bodies& bodies, const Ridges& top, const Ridges& base,
-                   double best) noexcept {
-  for (int i = 0; i < top.count; ++i) {
-    for (int j = 0; j < base.count; ++j) {
-      const Ridge &a = top.list[i], &b = base.list[j];
-      const Vec3 apart = b.from - a.from;
-      const double turn = bodies.normal.dot(a.along.cross(b.along));
-      const double t = bodies.normal.dot(apart.cross(b.along)) * (turn < 0 ? -1 : 1);
-      const double s = bodies.normal.dot(apart.cross(a.along)) * (turn < 0 ? -1 : 1);
-      const double size = std::abs(turn);
-      if (size == 0 || t < 0 || s < 0 || t > size || s > size) continue;
-      best = std::max(best, bodies.depth_at(a.from + (t / size) * a.along));
-    }
-  }
-  return best;
-}
-
-struct Overlap {
-  ClipBuffers buffers;
-  OverlapSums sums;
-  Ridges top, base;
-  double depth = 0;
-
-  // The polygon in `buffers`, which lies in plane `label`.
-  void add(const Bodies& bodies, const Plane& own, int label, bool want_depth) noexcept {
-    const ClippedPolygon& p = *buffers.now;
-    sums.add_face(p, own, label, bodies.is_wall(label) ? 1 : 0);
-    if (!want_depth) return;
-    const double slope = bodies.slope(label);
-    for (int k = 0; k < p.corners; ++k) {
-      depth = std::max(depth, bodies.depth_at(p.corner[k]));
-      const int other = p.beyond[k];
-      if (other <= label || bodies.is_wall(other) != bodies.is_wall(label)) continue;
-      const Vec3& to = p.corner[k + 1 < p.corners ? k + 1 : 0];
-      if (slope > 0 && bodies.is_wall(label)) top.add(p.corner[k], to);
-      if (slope < 0 && !bodies.is_wall(label) && bodies.slope(other) < 0) base.add(p.corner[k], to);
-    }
-  }
-};
-
 void start_face(const Shape& shape, std::size_t f, ClipBuffers& buffers) noexcept {
   buffers.start();
   for (std::size_t k = shape.face_begin[f]; k < shape.face_begin[f + 1]; ++k) {
@@ -160,55 +87,64 @@ void start_face(const Shape& shape, std::size_t f, ClipBuffers& buffers) noexcep
   }
 }
 
+// Planes of the shape, then those of the wall. One that lies along the normal up to rounding bounds
+// nothing along it, but would divide rounding by rounding.
+double depth_along(const Shape& shape, std::span<const Plane> planes, const Vec3& normal,
+                   const OverlapSums& sums) noexcept {
+  std::array<Plane, kMaxShapeFaces + kMaxPatchPlanes> all;
+  const auto bound = [&](const Plane& plane) {
+    const bool along = std::abs(plane.normal.dot(normal)) < kAlong;
+    return along ? Plane{Vec3::Zero(), 0} : plane;
+  };
+  for (std::size_t f = 0; f < shape.faces; ++f) all[f] = bound(face_plane(shape, f));
+  for (std::size_t k = 0; k < planes.size(); ++k) all[shape.faces + k] = bound(planes[k]);
+  return sums.chord(-normal, {all.data(), shape.faces + planes.size()}, shape.faces);
+}
+
 }  // namespace
 
 bool section_of_shape(const Shape& shape, const Plane& plane, ClipBuffers& buffers) noexcept {
-  const FaceSides sides = sides_of(shape, plane);
-  return sides.deepest < 0 && sides.highest > 0 &&
-         section(shape, plane, sides, static_cast<int>(shape.faces), buffers);
+  return is_cut(shape, plane) &&
+         section(shape, plane, sides_of(shape, plane), static_cast<int>(shape.faces), buffers);
 }
 
-bool overlap_with_wall(const Shape& shape, std::span<const Plane> planes, std::size_t walls,
-                       const Vec3& normal, WallOverlap& out) noexcept {
-  const Bodies bodies{shape, planes, normal};
-  const bool single = planes.size() == 1;
+bool overlap_with_wall(const Shape& shape, std::span<const Plane> planes, const Vec3& normal,
+                       WallOverlap& out) noexcept {
+  const int faces = static_cast<int>(shape.faces);
   const auto clip = [&](ClipBuffers& buffers, std::size_t own) {
     for (std::size_t k = 0; k < planes.size(); ++k) {
-      const int label = bodies.faces() + static_cast<int>(k);
-      if (k != own && !clip_polygon(buffers, planes[k], label)) return false;
+      if (k != own && !clip_polygon(buffers, planes[k], faces + static_cast<int>(k))) return false;
     }
     return true;
   };
-  Overlap overlap;
-  ClipBuffers& buffers = overlap.buffers;
+  ClipBuffers buffers;
+  OverlapSums sums;
   FaceSet candidates;
   candidates.fill(~std::uint64_t{0});
+  double deepest = 0;
   for (std::size_t k = 0; k < planes.size(); ++k) {
     const FaceSides sides = sides_of(shape, planes[k]);
     if (sides.deepest >= 0) return false;
-    if (single) overlap.depth = -sides.deepest;
+    deepest = sides.deepest;
     for (std::size_t w = 0; w < shape.face_words; ++w) candidates[w] &= sides.behind[w];
-    if (sides.highest <= 0) continue;
-    const int label = bodies.faces() + static_cast<int>(k);
-    if (section(shape, planes[k], sides, label, buffers) && clip(buffers, k)) {
-      overlap.add(bodies, planes[k], label, !single && k < walls);
+    const int label = faces + static_cast<int>(k);
+    if (sides.highest > 0 && section(shape, planes[k], sides, label, buffers) && clip(buffers, k)) {
+      sums.add_face(*buffers.now, planes[k], label, 1);
     }
   }
   for (std::size_t f = 0; f < shape.faces; ++f) {
     if (!has(candidates, f)) continue;
     start_face(shape, f, buffers);
     if (clip(buffers, planes.size())) {
-      overlap.add(bodies, face_plane(shape, f), static_cast<int>(f), !single);
+      sums.add_face(*buffers.now, face_plane(shape, f), static_cast<int>(f), 0);
     }
   }
-  const OverlapSums& sums = overlap.sums;
   if (sums.empty() || sums.volume() <= kCoincident * shape.bound_radius * sums.area()) return false;
   out.volume = sums.volume();
   out.centroid = sums.centroid();
-  out.depth =
-      single ? overlap.depth : depth_along(bodies, overlap.top, overlap.base, overlap.depth);
+  out.depth = planes.size() == 1 ? -deepest : depth_along(shape, planes, normal, sums);
   out.width = sums.width(normal);
-  out.full = buffers.full || sums.full() || overlap.top.full || overlap.base.full;
+  out.full = buffers.full || sums.full();
   return true;
 }
 

@@ -1,9 +1,9 @@
 // A convex shape pressed into a wall that is bounded by a few planes: section, volume, depth.
 //
 // All in the body frame of the shape with unit equivalent radius (convex_clip.h). The wall is what
-// lies behind all of `planes`; the first `walls` of them are its surface, the rest (cuts) limit the
-// part of the wall that is looked at. Planes of one contact are few, those of the shape many, hence
-// not the code for two polyhedra: only faces that the planes leave are ever clipped.
+// lies behind all of `planes`: its surface, and limits of the part of it that is looked at. Planes
+// of one contact are few, those of the shape many, hence not the code for two polyhedra: only faces
+// that the planes leave are ever clipped.
 //
 //   depth along n   how far the shape must move along n to leave the wall: the greatest distance,
 //                   along n, from a point of the shape up to where the wall ends above it
@@ -32,7 +32,7 @@ struct WallOverlap {
 };
 
 // False if the overlap is empty or thinner than rounding. At most kMaxPatchPlanes planes.
-bool overlap_with_wall(const Shape& shape, std::span<const Plane> planes, std::size_t walls,
-                       const Vec3& normal, WallOverlap& out) noexcept;
+bool overlap_with_wall(const Shape& shape, std::span<const Plane> planes, const Vec3& normal,
+                       WallOverlap& out) noexcept;
 
 }  // namespace quern
