@@ -205,6 +205,22 @@ TEST(PolyhedronInConcaveCorner, IsTwoContactsEachAsDeepAsItsOwnWall) {
   EXPECT_NE(floor.flags & kPatchLimited, 0u);
 }
 
+TEST(PolyhedronInConcaveCorner, KeepsTheLargerPatchWhereThereIsRoomForOne) {
+  const Facets wall = facets_of(strip({{0, 1}, {0, 0}, {1, 0}}));
+  const Shape box = built_box({1, 1, 0.5});
+  Vec3 half = Vec3::Zero();
+  for (std::size_t k = 0; k < box.vertices; ++k) half = half.cwiseMax(0.1 * box.vertex(k));
+  const ShapePose pose{&box, 0.1, Vec3(half.x() - 1e-3, 0, half.z() - 1e-3), Mat3::Identity()};
+  std::vector<Index> candidates;
+  find_facets(wall, pose.place, 0.1 * box.bound_radius, candidates);
+  WallPatch one[1], two[2];
+  ASSERT_EQ(polyhedron_facet_touches(wall, pose, candidates, {}, two, 2), 2);
+  ASSERT_EQ(polyhedron_facet_touches(wall, pose, candidates, {}, one, 1), 1);
+  EXPECT_EQ(one[0].area, std::max(two[0].area, two[1].area));
+  EXPECT_NE(two[0].area, two[1].area);
+  EXPECT_EQ(polyhedron_facet_touches(wall, pose, candidates, {}, one, 0), 0);
+}
+
 // The chord behind a limited wall is that of the corner inside the limit: a tilted cube over the
 // edge of an open sheet, its deepest edge beyond. The height of the cube's face at the sheet's
 // edge, on paper: the face through (0, -depth) at angle a rises as tan a.
@@ -391,6 +407,25 @@ TEST(PolyhedronOnPlate, StopsAtTheThicknessOfTheWall) {
   ASSERT_EQ(thin.size(), 1u);
   EXPECT_EQ(thin[0].overlap, 0.01);
   EXPECT_EQ(thin[0].flags, std::uint32_t{kPatchDeep});
+}
+
+// Three quarters of a plate, the corner of the notch below a cube: the edges of the notch cannot
+// both be limits, for each would take away a quarter of the sheet that carries.
+TEST(PolyhedronOnPlate, ANotchTakesNothingAway) {
+  std::vector<Triangle> sheet;
+  for (const auto& [x, y] : {std::pair{-0.5, -0.5}, {0.5, -0.5}, {-0.5, 0.5}}) {
+    for (const Triangle& t : moved(plate(0.5), Mat3::Identity(), Vec3(x, y, 0))) sheet.push_back(t);
+  }
+  const Facets wall = facets_of(sheet);
+  const Shape cube = built_box({1, 1, 1});
+  const ShapePose pose = pressed(cube, 0.1, Mat3::Identity(), Vec3::Zero(), Vec3::UnitZ(), 1e-3);
+  const auto found = touches(wall, pose);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].normal, Vec3::UnitZ());
+  EXPECT_NEAR(found[0].overlap, 1e-3, 1e-15);
+  const double side = 0.2 * cube.vertex(0).cwiseAbs().maxCoeff();
+  EXPECT_NEAR(found[0].area, 0.75 * side * side, 1e-15);
+  EXPECT_EQ(found[0].flags, std::uint32_t{kPatchNotched});
 }
 
 TEST(PolyhedronOnPlate, FlushOrApartRaisesNothing) {
