@@ -62,7 +62,7 @@ std::string listing_fault(const World<Real>& world, const std::vector<TileSlots>
 }
 
 // A particle or one of its periodic images.
-struct Shape {
+struct Ball {
   double low_x;  // of the bounding box
   double x[3], radius;
   Index particle;
@@ -72,48 +72,48 @@ struct Shape {
 // Particles at their place in the domain, and an image beyond a periodic face for each that could
 // reach across it.
 template <class Real>
-std::vector<Shape> shapes_and_images(const World<Real>& world) {
+std::vector<Ball> balls_and_images(const World<Real>& world) {
   const Particles<Real>& p = world.particles;
   double reach = 0;
   for (std::size_t k = 0; k < p.size(); ++k) {
     reach = std::max(reach, 2 * static_cast<double>(p.record[k].radius));
   }
-  std::vector<Shape> shapes;
+  std::vector<Ball> balls;
   for (std::size_t k = 0; k < p.size(); ++k) {
     const Record<Real>& r = p.record[k];
-    Shape s{0, {r.x, r.y, r.z}, static_cast<double>(r.radius), static_cast<Index>(k), false};
+    Ball s{0, {r.x, r.y, r.z}, static_cast<double>(r.radius), static_cast<Index>(k), false};
     for (std::size_t a = 0; a < 3; ++a) {
       if (!world.periodic[a]) continue;
       const Eigen::Index e = static_cast<Eigen::Index>(a);
       const double length = world.high[e] - world.low[e];
       s.x[a] -= length * std::floor((s.x[a] - world.low[e]) / length);
     }
-    shapes.push_back(s);
+    balls.push_back(s);
   }
   for (std::size_t a = 0; a < 3; ++a) {
     if (!world.periodic[a]) continue;
     const Eigen::Index e = static_cast<Eigen::Index>(a);
-    const std::size_t before = shapes.size();
+    const std::size_t before = balls.size();
     for (std::size_t k = 0; k < before; ++k) {
-      Shape s = shapes[k];
+      Ball s = balls[k];
       s.image = true;
       const double length = world.high[e] - world.low[e];
       if (s.x[a] - world.low[e] < reach) {
         s.x[a] += length;
-        shapes.push_back(s);
+        balls.push_back(s);
         s.x[a] -= length;
       }
       if (world.high[e] - s.x[a] < reach) {
         s.x[a] -= length;
-        shapes.push_back(s);
+        balls.push_back(s);
       }
     }
   }
-  for (Shape& s : shapes) s.low_x = s.x[0] - s.radius;
-  return shapes;
+  for (Ball& s : balls) s.low_x = s.x[0] - s.radius;
+  return balls;
 }
 
-bool overlap(const Shape& a, const Shape& b) {
+bool overlap(const Ball& a, const Ball& b) {
   double d2 = 0;
   for (int k = 0; k < 3; ++k) d2 += (a.x[k] - b.x[k]) * (a.x[k] - b.x[k]);
   // A touch within rounding of the positions is no contact that could be missed.
@@ -125,15 +125,15 @@ template <class Real>
 void check_pairs(const World<Real>& world, std::vector<std::string>& faults) {
   const Particles<Real>& p = world.particles;
   const std::vector<TileSlots> tiles = slots_of_tiles(world);
-  std::vector<Shape> shapes = shapes_and_images(world);
-  std::sort(shapes.begin(), shapes.end(),
-            [](const Shape& a, const Shape& b) { return a.low_x < b.low_x; });
-  for (std::size_t a = 0; a < shapes.size(); ++a) {
-    const double high_x = shapes[a].x[0] + shapes[a].radius;
-    for (std::size_t b = a + 1; b < shapes.size() && shapes[b].low_x < high_x; ++b) {
-      if (shapes[a].image && shapes[b].image) continue;
-      Index i = shapes[a].particle, j = shapes[b].particle;
-      if (i == j || !overlap(shapes[a], shapes[b])) continue;
+  std::vector<Ball> balls = balls_and_images(world);
+  std::sort(balls.begin(), balls.end(),
+            [](const Ball& a, const Ball& b) { return a.low_x < b.low_x; });
+  for (std::size_t a = 0; a < balls.size(); ++a) {
+    const double high_x = balls[a].x[0] + balls[a].radius;
+    for (std::size_t b = a + 1; b < balls.size() && balls[b].low_x < high_x; ++b) {
+      if (balls[a].image && balls[b].image) continue;
+      Index i = balls[a].particle, j = balls[b].particle;
+      if (i == j || !overlap(balls[a], balls[b])) continue;
       const double ri = static_cast<double>(p.record[i].radius);
       const double rj = static_cast<double>(p.record[j].radius);
       if (ri > rj || (ri == rj && p.id[i] > p.id[j])) std::swap(i, j);

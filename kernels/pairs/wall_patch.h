@@ -1,0 +1,38 @@
+// A convex shape pressed into a wall that is bounded by a few planes: section, volume, depth.
+//
+// All in the body frame of the shape with unit equivalent radius (convex_clip.h). The wall is what
+// lies behind all of `planes`: its surface, and limits of the part of it that is looked at. Planes
+// of one contact are few, those of the shape many, hence not the code for two polyhedra: only faces
+// that the planes leave are ever clipped.
+//
+//   depth along n   how far the shape must move along n to leave the wall: the greatest distance,
+//                   along n, from a point of the shape up to where the wall ends above it
+//
+// Of a corner that leans this is more than the longest segment of the overlap; behind a single
+// plane it is the depth of the deepest vertex. It is found at a corner of the overlap, or where an
+// edge of the wall passes over an edge of the shape.
+#pragma once
+
+#include <span>
+
+#include "kernels/pairs/convex_clip.h"
+
+namespace quern {
+
+inline constexpr int kMaxPatchPlanes = 32;
+
+// The polygon in which the plane cuts the shape, in buffers.now; false if it does not.
+bool section_of_shape(const Shape& shape, const Plane& plane, ClipBuffers& buffers) noexcept;
+
+struct WallOverlap {
+  double volume = 0;
+  Vec3 centroid = Vec3::Zero();
+  double depth = 0, width = 0;  // along the normal that was asked
+  bool full = false;            // a scratch limit was met
+};
+
+// False if the overlap is empty or thinner than rounding. At most kMaxPatchPlanes planes.
+bool overlap_with_wall(const Shape& shape, std::span<const Plane> planes, const Vec3& normal,
+                       WallOverlap& out) noexcept;
+
+}  // namespace quern
