@@ -57,7 +57,7 @@ inline Words words_of(MotionKind) { return kMotionWords; }
 inline Words words_of(Direction) { return kDirectionWords; }
 inline Words words_of(WallKind) { return kWallWords; }
 inline Words words_of(ShapeKind) { return kShapeWords; }
-inline Words words_of(OverlapKind) { return kOverlapWords; }
+inline Words words_of(OverlapMeasure) { return kOverlapWords; }
 inline Words words_of(NormalModel) { return kNormalModelWords; }
 
 // Any of [[walls]], before it is sorted by kind.

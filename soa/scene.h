@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "soa/base.h"
+#include "soa/shapes.h"
 
 namespace quern {
 
@@ -19,10 +19,6 @@ enum class StartKind { kFill, kFile };
 enum class FillMethod { kSegment, kRandom, kRain };
 enum class SettleKind { kNone, kDuration, kUntilRest };
 enum class ShapeKind { kSphere, kPolyhedron };
-// Of two polyhedra: the longest chord of their overlap along the normal, or its whole width.
-enum class OverlapKind { kChord, kWidth };
-// Of two polyhedra: stiffness times overlap, or the gradient of an energy of overlap volume.
-enum class NormalModel { kStiffness, kVolume };
 
 // A rate over time: linear between (time, value) points, constant before the first and after the
 // last. A constant is one point. Values: rad/s for rotation, m/s for translation.
@@ -69,7 +65,7 @@ struct ContactSpec {
   std::optional<double> normal_stiffness, tangential_stiffness;  // N/m
   std::optional<double> restitution, sliding_friction;
   double rolling_friction = 0;
-  OverlapKind overlap = OverlapKind::kChord;
+  OverlapMeasure overlap = OverlapMeasure::kChord;
   NormalModel normal_model = NormalModel::kStiffness;
   // Pa, kVolume only; default: normal stiffness over the equivalent radius of the smaller body
   std::optional<double> volume_stiffness;

@@ -22,6 +22,17 @@
 
 namespace quern {
 
+// How deep two polyhedra, or a polyhedron and a wall, overlap; and what their normal force is.
+enum class OverlapMeasure : std::uint8_t {
+  kChord,  // how far to move along the normal to come apart: on all lines along it, the most that
+           // the exit from A lies beyond the entry into B
+  kWidth  // extent of the overlap along the normal
+};
+enum class NormalModel : std::uint8_t {
+  kStiffness,  // force = stiffness x overlap
+  kVolume      // force and moment are the gradient of the overlap volume; asks for `moment`
+};
+
 inline constexpr std::size_t kShapePad = 8;  // lanes of the widest f64 vector
 inline constexpr double kFarPlane = 1e30;
 

@@ -69,6 +69,7 @@ template <class Real>
 void World<Real>::visit(StateVisitor& v) {
   particles.visit(v);
   pairs.visit(v);
+  if (!shapes.empty()) polyhedra.visit(v);
   PackedWalls packed = pack_walls();
   v.column("walls/springs", "m, N, N m", packed.spring_bytes, sizeof(WallSpring));
   v.column("walls/spring_tile", "1", packed.spring_tile, 1);

@@ -13,6 +13,7 @@
 #include "soa/motion.h"
 #include "soa/pairs.h"
 #include "soa/particles.h"
+#include "soa/polyhedra.h"
 #include "soa/report.h"
 #include "soa/wall_spring.h"
 
@@ -39,6 +40,14 @@ struct LawColumns {
       sliding_friction, rolling_friction;
 };
 
+// How polyhedra push on each other and on walls.
+struct PatchLaw {
+  OverlapMeasure overlap = OverlapMeasure::kChord;
+  NormalModel model = NormalModel::kStiffness;
+  double volume_stiffness = 0;  // Pa, kVolume; 0: normal stiffness over the smaller equivalent radius
+  bool damping = true;          // of rocking and drilling
+};
+
 // Which facets a particle may meet before the next rebuild.
 struct WallCandidates {
   std::vector<Index> particle, body;  // one entry per particle and body
@@ -61,7 +70,7 @@ struct WallTotal {
 struct StepTotals {
   double pair_work = 0, wall_contact_work = 0;  // contact forces on relative motion, last step
   double elastic = 0;
-  double slide = 0, tangential_damping = 0, numerical_loss = 0;
+  double slide = 0, tangential_damping = 0, numerical_loss = 0, model_work = 0;
   double pair_contacts = 0, wall_contacts = 0, warnings = 0, max_overlap = 0;
   double translational = 0, rotational = 0, drag_loss = 0;
   std::array<double, 3> momentum{}, moment_of_mass{};
@@ -75,6 +84,7 @@ struct Ledger {
   double kinetic = 0, elastic = 0;  // now
   double wall_work = 0, gravity_work = 0, contact_work = 0;
   double slide = 0, tangential_damping = 0, numerical_loss = 0;
+  double model_work = 0;  // by normal forces of polyhedra that have no potential; in dissipated()
   double abs_wall_work = 0;
   double dissipated() const { return -contact_work - (elastic - start_elastic); }
   double normal_damping() const { return dissipated() - slide - tangential_damping; }
@@ -122,11 +132,14 @@ struct World {
   std::vector<Wall> walls;
   std::vector<Body> bodies;
   double total_mass = 0;
+  std::vector<Shape> shapes;    // of the polyhedra
+  PatchLaw patch;
   double drag = 1;              // velocity factor of the soft phase
 
   // State.
   Particles<Real> particles;
   PairBatch<Real> pairs;
+  Polyhedra<Real> polyhedra;
   std::vector<TileWalls> tile_walls;
   std::vector<WallTotal> wall_totals;
   StepTotals totals;

@@ -18,15 +18,6 @@
 
 namespace quern {
 
-enum class OverlapMeasure : std::uint8_t {
-  kChord,  // how far to move along the normal to come apart: on all lines along it, the most that
-           // the exit from A lies beyond the entry into B
-  kWidth  // extent of the overlap along the normal
-};
-enum class NormalModel : std::uint8_t {
-  kStiffness,  // force = stiffness x overlap
-  kVolume      // force and moment are the gradient of the overlap volume; asks for `moment`
-};
 struct PatchOptions {
   OverlapMeasure overlap = OverlapMeasure::kChord;
   NormalModel model = NormalModel::kStiffness;
