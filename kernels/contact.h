@@ -39,7 +39,7 @@ struct StepConstants {
   double dt;
   bool clamped;   // normal force never pulls
   bool rolling;   // any rolling friction in the table
-  bool periodic;  // any axis
+  bool damped;    // any tangential damping in the table
   double period[3];          // m; 0: not periodic
   double inverse_period[3];  // 1/m; 0: not periodic
 };

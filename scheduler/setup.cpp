@@ -392,6 +392,7 @@ World<Real> make_world(const Scene& scene, SceneGeometry geometry,
   world.clock.fixed_slack = scene.run.list_slack ? 1 : 0;
   world.clock.dt = choose_time_step(scene, all);
   world.pairs.rolling = world.rolling;
+  world.damped = scene.contact.tangential_damping;
   set_stiffness(world, scene, 1);
   append_particles(world, scene, present);
   return world;

@@ -41,12 +41,11 @@ void Stepper<Real>::prepare() {
     c.dt = world_.clock.dt;
     c.clamped = world_.clamped;
     c.rolling = world_.rolling;
-    c.periodic = false;
+    c.damped = world_.damped;
     for (std::size_t a = 0; a < 3; ++a) {
       const Eigen::Index e = static_cast<Eigen::Index>(a);
       c.period[a] = world_.periodic[a] ? world_.high[e] - world_.low[e] : 0;
       c.inverse_period[a] = world_.periodic[a] ? 1 / c.period[a] : 0;
-      c.periodic = c.periodic || world_.periodic[a];
     }
   };
   fill(constants_);

@@ -128,7 +128,7 @@ struct World {
   Index materials = 1;
   LawColumns<Real> law;
   LawColumns<double> wall_law;
-  bool clamped = true, rolling = false;
+  bool clamped = true, rolling = false, damped = true;
   std::vector<Wall> walls;
   std::vector<Body> bodies;
   double total_mass = 0;

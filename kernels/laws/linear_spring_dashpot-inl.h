@@ -182,11 +182,14 @@ HWY_INLINE ResponseV<V> respond(const StepConstants<Real>& step, const Coefficie
   r.slide = hn::Mul(hn::Mul(half, kt),
                     hn::Add(dot(spring_old + r.spring, given), lost_spring));
   const V fn_old = dot(old.force, t.normal_old);
-  const Vec3V<V> dashpot_old =
-      add_scaled(add_scaled(old.force, hn::Neg(fn_old), t.normal_old), kt, old.spring);
-  const Vec3V<V> dashpot = add_scaled(r.tangential, kt, r.spring);
-  r.tangential_damping =
-      hn::Neg(hn::Mul(half_dt, dot(dashpot_old + keep_if(touching, dashpot), vt)));
+  r.tangential_damping = zero;
+  if (step.damped) {
+    const Vec3V<V> dashpot_old =
+        add_scaled(add_scaled(old.force, hn::Neg(fn_old), t.normal_old), kt, old.spring);
+    const Vec3V<V> dashpot = add_scaled(r.tangential, kt, r.spring);
+    r.tangential_damping =
+        hn::Neg(hn::Mul(half_dt, dot(dashpot_old + keep_if(touching, dashpot), vt)));
+  }
   const V entry = hn::Neg(hn::Mul(hn::Mul(half, hn::Mul(kn, t.overlap)),
                                   hn::MulAdd(dt, vn, t.overlap)));
   const M lost = hn::And(hn::Not(touching), hn::Gt(fn_old, zero));

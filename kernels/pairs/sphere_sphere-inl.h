@@ -35,11 +35,9 @@ HWY_INLINE SeparationV<Real> separate(const StepConstants<Real>& step, const Par
                                       const PartnerV<Real>& b) {
   using V64 = hn::Vec<D64>;
   Vec3V<V64> dx = a.place - b.place;
-  if (step.periodic) {
-    dx.x = nearest_image(dx.x, step.period[0], step.inverse_period[0]);
-    dx.y = nearest_image(dx.y, step.period[1], step.inverse_period[1]);
-    dx.z = nearest_image(dx.z, step.period[2], step.inverse_period[2]);
-  }
+  if (step.period[0] > 0) dx.x = nearest_image(dx.x, step.period[0], step.inverse_period[0]);
+  if (step.period[1] > 0) dx.y = nearest_image(dx.y, step.period[1], step.inverse_period[1]);
+  if (step.period[2] > 0) dx.z = nearest_image(dx.z, step.period[2], step.inverse_period[2]);
   const V64 reach = hn::Add(to_f64(a.radius), to_f64(b.radius));
   const V64 d2 = dot(dx, dx);
   return {to_real<Real>(dx), to_real<Real>(a.velocity - b.velocity), to_real<Real>(reach),
