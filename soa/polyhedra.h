@@ -71,9 +71,19 @@ struct PolyhedronPair {
   Vec3 arm_i = Vec3::Zero();    // contact point from the place of i, m
   Vec3 arm_j = Vec3::Zero();    // and of j
   double overlap = 0;           // m
-  double elastic_force = 0;     // N, at full stiffness
+  double elastic_force = 0;     // N, of the normal spring, before damping's reduction
+  double stored = 0;            // J, likewise
+  Vec3 couple = Vec3::Zero();   // N m on i, of the volume model, likewise
 };
-static_assert(sizeof(PolyhedronPair) == 8 + 24 + 6 * 24 + 16, "saved as bytes: no hidden padding");
+static_assert(sizeof(PolyhedronPair) == 8 + 24 + 7 * 24 + 24, "saved as bytes: no hidden padding");
+
+// An open contact of a polyhedron with a wall; `particle` is the body, `moment` the patch's.
+struct PolyhedronWall : WallSpring {
+  double elastic_force = 0, stored = 0;  // as above
+  Vec3 couple = Vec3::Zero();
+  Vec3 arm = Vec3::Zero();  // contact point from the place of the body, m
+};
+static_assert(sizeof(PolyhedronWall) == sizeof(WallSpring) + 64, "saved as bytes");
 
 // Spheres near polyhedra. Groups of a tile: [tile_begin[t] .. tile_begin[t+1]); group g holds `count[g]`
 // spheres in slots [begin[g] .. begin[g+1]), padded to kShapePad by repeating the first sphere.
@@ -111,7 +121,7 @@ struct Polyhedra {
   QUERN_POLYHEDRON_FIELDS(QUERN_DECLARE)
 #undef QUERN_DECLARE
   std::vector<PolyhedronPair> pairs;   // sorted by (j, i)
-  std::vector<WallSpring> walls;       // open contacts, by body; WallSpring::particle is the body
+  std::vector<PolyhedronWall> walls;   // open contacts, by body
   std::vector<Index> wall_candidate_begin, wall_candidate_body, wall_candidate_facet_begin,
       wall_candidate_facet;  // entries of body k: [wall_candidate_begin[k] .. [k+1]), one a wall body
   PolyhedronSphereBatch<Real> spheres;

@@ -134,6 +134,7 @@ struct World {
   double total_mass = 0;
   std::vector<Shape> shapes;    // of the polyhedra
   PatchLaw patch;
+  double overlap_cap = 0;       // m, of contacts with polyhedra while they relax; 0: none
   double drag = 1;              // velocity factor of the soft phase
 
   // State.
