@@ -239,6 +239,23 @@ mesh = [3])",
      R"(count = 300
 mesh = 3)",
      {R"~(46:8: error: 'mesh' must be a string, found an integer)~"}},
+    {"OrientationWithoutAnAxis",
+     R"(diameter = "13.75 mm"
+count = 300)",
+     R"(diameter = "13.75 mm"
+entries = [{ position = ["0 m", "0 m", "0 m"], orientation = { axis = [0, 0, 0], angle = "1 rad" } }])",
+     {R"~(45:71: error: 'axis' must not be zero)~"}},
+    {"OrientationWithoutAUnit",
+     R"(diameter = "13.75 mm"
+count = 300)",
+     R"(diameter = "13.75 mm"
+entries = [{ position = ["0 m", "0 m", "0 m"], orientation = { angle = 30 } }])",
+     {R"~(45:72: error: 'angle' needs a unit, for example "30 deg")~"}},
+    {"RelaxWithoutAFile",
+     "seed = 1",
+     R"(seed = 1
+relax = "0.2 s")",
+     {R"~(7:9: error: 'relax' needs start = "file")~"}},
     {"DiameterTwice",
      "count = 300",
      R"(count = 300
