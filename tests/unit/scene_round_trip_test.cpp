@@ -407,14 +407,14 @@ TEST(SceneReader, ReadsEveryKeyAndWritesItBack) {
   const SceneResult result = parse(text);
   ASSERT_EQ(result.errors, Lines{});
   EXPECT_EQ(result.scene.particles[3].explicit_particles.size(), 2u);
+  EXPECT_EQ(result.scene.particles[0].meshes, Lines{"points.csv"});
+  EXPECT_EQ(result.scene.particles[5].meshes, (Lines{"points.csv", "./points.csv"}));
+  EXPECT_EQ(result.scene.particles[5].diameter, 0.005);
   const ExplicitParticle& turned = result.scene.particles[4].explicit_particles[1];
   ASSERT_TRUE(turned.orientation);
   EXPECT_EQ(turned.orientation->axis, Vec3(0, 0.6, 0.8));
   EXPECT_EQ(turned.orientation->angle, kPi / 6);
   EXPECT_FALSE(result.scene.particles[4].explicit_particles[0].orientation);
-  EXPECT_EQ(result.scene.particles[0].meshes, Lines{"points.csv"});
-  EXPECT_EQ(result.scene.particles[5].meshes, (Lines{"points.csv", "./points.csv"}));
-  EXPECT_EQ(result.scene.particles[5].diameter, 0.005);
   EXPECT_NEAR(result.scene.planes[0].normal.norm(), 1, 1e-15);
   expect_round_trip(result.scene);
   expect_round_trip(parse(kGoodScene).scene);
