@@ -28,6 +28,10 @@ struct SceneCheck {
                const std::optional<Vec3>& high) const;
 };
 
+// Unit length; a vector that is one to rounding stays as it is, so that scenes read back the same.
+// False for a vector of zero.
+bool normalize(Vec3& v);
+
 void check_walls(const SceneCheck& check);      // also sorts draft.walls into the scene
 void check_particles(const SceneCheck& check);  // also reads CSV files
 

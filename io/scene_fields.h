@@ -44,7 +44,7 @@ inline constexpr const char* kDirectionWords[] = {"counterclockwise", "clockwise
 inline constexpr const char* kWallWords[] = {"mesh", "plane", "box"};
 inline constexpr const char* kSettleWords[] = {"none", "until-rest"};
 inline constexpr const char* kLawWords[] = {"linear-spring-dashpot"};
-inline constexpr const char* kShapeWords[] = {"sphere"};
+inline constexpr const char* kShapeWords[] = {"sphere", "polyhedron"};
 inline constexpr const char* kOverlapWords[] = {"chord", "width"};
 inline constexpr const char* kNormalModelWords[] = {"stiffness", "volume"};
 
@@ -97,6 +97,10 @@ void fields(Io& io, RunSpec& run) {
      run.soft_stiffness);
   io({"start", "place the particles, or take them from start_file"}, run.start);
   io({"start_file", "checkpoint to start from"}, run.start_file);
+  io({"relax", "overlaps of start_file are let go this long; default: 0.2 s if spheres become "
+      "polyhedra",
+      kTime, Range::kNotNegative},
+     run.relax);
   io({"precision", "of forces and velocities; positions are always double"}, run.precision);
   io({"tile_size", "particles per tile", kNumber, Range::kPositive}, run.tile_size);
   io({"list_slack", "extra reach of neighbour lists; default: automatic", kLength,
@@ -294,12 +298,20 @@ void fields(Io& io, SizeDistribution& sizes) {
 }
 
 template <class Io>
+void fields(Io& io, Turn& turn) {
+  io({"axis", "direction, of any length"}, turn.axis);
+  io({"angle", "about the axis, right-handed", Dimension::kAngle}, turn.angle);
+}
+
+template <class Io>
 void fields(Io& io, ExplicitParticle& particle) {
   using enum Dimension;
   io({"position", "of the centre", kLength, Range::kAny, Need::kRequired}, particle.position);
   io({"velocity", "of the centre", kSpeed}, particle.velocity);
   io({"spin", "angular velocity", kAngularVelocity}, particle.spin);
   io({"diameter", "default: that of the species", kLength, Range::kPositive}, particle.diameter);
+  io.table({"orientation", "of a polyhedron: how its mesh is turned; default: at random"},
+           particle.orientation);
 }
 
 // Two keys have two names: the second serves where only some of the sizes are polyhedra, or says

@@ -149,6 +149,15 @@ void check_shape(const SceneCheck& check, const std::string& path, const Particl
                                   species.name));
 }
 
+void check_entries(const SceneCheck& check, const std::string& path, ParticleSpec& species) {
+  for (std::size_t k = 0; k < species.explicit_particles.size(); ++k) {
+    std::optional<Turn>& turn = species.explicit_particles[k].orientation;
+    const std::string axis = fmt::format("{}.entries[{}].orientation.axis", path, k);
+    if (turn && !normalize(turn->axis) && check.good({axis}))
+      check.error(axis, "'axis' must not be zero");
+  }
+}
+
 void load_csv(const SceneCheck& check, const std::string& path, ParticleSpec& species) {
   check.file(path + ".csv", species.csv);
   if (species.csv.empty() || !check.good({path + ".csv"})) return;
@@ -178,6 +187,7 @@ void check_particles(const SceneCheck& check) {
     check_sizes(check, path, all[i]);
     check_classes(check, path, all[i]);
     check_distribution(check, path, all[i].distribution);
+    check_entries(check, path, all[i]);
     load_csv(check, path, all[i]);
     total += count_of(all[i]);
   }

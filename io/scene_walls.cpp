@@ -7,6 +7,13 @@
 #include "io/scene_checks_parts.h"
 
 namespace quern {
+
+bool normalize(Vec3& v) {
+  const double length = v.norm();
+  if (!(length > 0)) return false;
+  if (std::abs(length - 1) > 4 * std::numeric_limits<double>::epsilon()) v /= length;
+  return true;
+}
 namespace {
 
 struct WallKeys {
@@ -20,14 +27,6 @@ const WallKeys kWallKeys[] = {
     {WallKind::kPlane, "plane", {"point", "normal"}, {"point", "normal"}},
     {WallKind::kBox, "box", {"low", "high"}, {"low", "high", "open_top"}},
 };
-
-// Unit length; a vector that is one to rounding stays as it is, so that scenes read back the same.
-bool normalize(Vec3& v) {
-  const double length = v.norm();
-  if (!(length > 0)) return false;
-  if (std::abs(length - 1) > 4 * std::numeric_limits<double>::epsilon()) v /= length;
-  return true;
-}
 
 std::optional<WallKind> infer_kind(const WallSpec& wall) {
   if (wall.kind) return wall.kind;

@@ -2,11 +2,15 @@
 //
 // Explicit particles may overlap on purpose (a test starts at its static overlap), so this warns
 // and does not judge. Particles are taken largest first and each looks among those before it, so
-// every pair is seen once and no query spans many cells of a finer level.
+// every pair is seen once and no query spans many cells of a finer level. Polyhedra are sought by
+// the spheres around them and then measured as they are.
 #include <algorithm>
 #include <cstdio>
 #include <numeric>
 
+#include "kernels/pairs/polyhedron_facet.h"
+#include "kernels/pairs/polyhedron_polyhedron.h"
+#include "kernels/pairs/polyhedron_sphere.h"
 #include "scheduler/fill.h"
 #include "scheduler/sphere_grid.h"
 
@@ -20,7 +24,43 @@ struct Overlap {
   double relative = 0;       // of the smaller radius
 };
 
+ShapePose pose_of(const ParticleSeed& p, const Vec3& place) {
+  return {p.shape, p.radius, place, p.orientation.toRotationMatrix()};
+}
+
+// How deep two particles overlap whose surrounding spheres do by `depth` (m). `between`: from a to b.
+double pair_overlap(const ParticleSeed& a, const ParticleSeed& b, const Vec3& between,
+                    double depth) {
+  if (a.shape != nullptr && b.shape != nullptr) {
+    PolyhedronTouch touch;
+    const ShapePose first = pose_of(a, Vec3::Zero()), second = pose_of(b, between);
+    return touch_polyhedra_plain(first, second, {}, nullptr, between, touch) ? touch.overlap : 0;
+  }
+  if (a.shape == nullptr && b.shape == nullptr) return depth;
+  const bool swapped = a.shape == nullptr;
+  PolyhedronSphereTouch touch;
+  const ShapePose pose = pose_of(swapped ? b : a, Vec3::Zero());
+  const bool touches = touch_polyhedron_sphere(pose, swapped ? Vec3(-between) : between,
+                                               swapped ? a.radius : b.radius, touch);
+  return touches ? touch.overlap : 0;
+}
+
+double polyhedron_wall_overlap(std::span<const Facets* const> walls, const ParticleSeed& p) {
+  double deepest = 0;
+  std::vector<Index> near;
+  for (const Facets* facets : walls) {
+    near.clear();
+    find_facets(*facets, p.position, p.reach(), near);
+    WallPatch patches[kMaxWallPatches];
+    const int count = polyhedron_facet_touches(*facets, pose_of(p, p.position), near, {}, patches,
+                                               kMaxWallPatches);
+    for (int k = 0; k < count; ++k) deepest = std::max(deepest, patches[k].overlap);
+  }
+  return deepest;
+}
+
 double wall_overlap(std::span<const Facets* const> walls, const ParticleSeed& p) {
+  if (p.shape != nullptr) return polyhedron_wall_overlap(walls, p);
   double nearest = p.radius;
   for (const Facets* facets : walls) {
     nearest = std::min(nearest, distance_to_facets(*facets, p.position, p.radius));
@@ -31,27 +71,33 @@ double wall_overlap(std::span<const Facets* const> walls, const ParticleSeed& p)
 std::vector<Overlap> find_overlaps(const Scene& scene, std::span<const Facets* const> walls,
                                    std::span<const ParticleSeed> particles, double allowed) {
   std::vector<double> radii;
-  for (const ParticleSeed& p : particles) radii.push_back(p.radius);
+  for (const ParticleSeed& p : particles) radii.push_back(p.reach());
   std::vector<std::size_t> order(particles.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return radii[a] > radii[b]; });
-  SphereGrid grid(periodic_axes(scene), radii);
+  const PeriodicAxes periodic = periodic_axes(scene);
+  SphereGrid grid(periodic, radii);
   std::vector<Overlap> found;
   for (const std::size_t i : order) {
     const ParticleSeed& p = particles[i];
     const std::size_t first = found.size();
-    grid.visit(p.position, p.radius, [&](Index partner, double depth) {
+    grid.visit(p.position, p.reach(), [&](Index partner, double reached) {
+      const ParticleSeed& q = particles[partner];
+      const Vec3 between = periodic.nearest_image(periodic.wrapped(q.position) -
+                                                  periodic.wrapped(p.position));
+      const double depth = pair_overlap(p, q, between, reached);
+      const double smaller = std::min(p.radius, q.radius);
       const auto same = [&](const Overlap& o) { return o.partner == partner; };
       const auto begin = found.begin() + static_cast<std::ptrdiff_t>(first);
-      if (depth > allowed * p.radius && std::none_of(begin, found.end(), same)) {
-        found.push_back({i, partner, depth, depth / p.radius});
+      if (depth > allowed * smaller && std::none_of(begin, found.end(), same)) {
+        found.push_back({i, partner, depth, depth / smaller});
       }
       return false;
     });
     const double depth = wall_overlap(walls, p);
     if (depth > allowed * p.radius) found.push_back({i, kNoIndex, depth, depth / p.radius});
-    grid.insert(p.position, p.radius, static_cast<Index>(i));
+    grid.insert(p.position, p.reach(), static_cast<Index>(i));
   }
   std::stable_sort(found.begin(), found.end(),
                    [](const Overlap& a, const Overlap& b) { return a.relative > b.relative; });

@@ -14,6 +14,10 @@ constexpr double kSoftDrag = 4;         // 1/s: falls end at g/4, bounces die wi
 constexpr double kStiffenTime = 0.25;   // s; a deep bed rises by centimetres while it stiffens
 constexpr int kStiffenStages = 48;      // so many that a stage releases a tenth of the overlap
 constexpr double kStiffenDrag = 20;     // 1/s
+constexpr double kRelaxTrueLawTime = 0.05;  // s, the end of every relaxing
+constexpr double kRelaxDrag = 20;           // 1/s
+constexpr double kFirstCap = 1e-4, kLastCap = 1e-2;  // of the smallest polyhedron's radius
+constexpr int kRelaxStages = 32;
 
 std::uint64_t steps_in(double time, double dt) {
   return static_cast<std::uint64_t>(std::llround(std::max(time, 0.0) / dt));
@@ -61,6 +65,25 @@ void add_settling(const Scene& scene, double dt, double depth, double rest_energ
   }
 }
 
+void add_relaxing(const Scene& scene, double dt, std::vector<PhasePlan>& plan) {
+  const double total = scene.run.relax.value_or(0);
+  const double capped = total - kRelaxTrueLawTime;
+  for (int stage = 0; stage < kRelaxStages && capped > 0; ++stage) {
+    const double cap = kFirstCap * std::pow(kLastCap / kFirstCap, stage / (kRelaxStages - 1.0));
+    plan.push_back({Phase::kRelax, 1, dt, kRelaxDrag, steps_in(capped / kRelaxStages, dt), 0, cap});
+  }
+  if (total > 0) {
+    plan.push_back({Phase::kSettle, 1, dt, 0, steps_in(std::min(total, kRelaxTrueLawTime), dt), 0});
+  }
+}
+
+template <class Real>
+double smallest_polyhedron(const World<Real>& world) {
+  double least = world.polyhedra.empty() ? 0 : HUGE_VAL;
+  for (const double scale : world.polyhedra.scale) least = std::min(least, scale);
+  return least;
+}
+
 }  // namespace
 
 std::vector<PhasePlan> plan_phases(const Scene& scene, double dt, double depth, double mass,
@@ -71,6 +94,7 @@ std::vector<PhasePlan> plan_phases(const Scene& scene, double dt, double depth, 
     const double rest_energy = 0.01 * mass * scene.run.gravity.norm() * smallest_radius;
     add_settling(scene, dt, depth, rest_energy, plan);
   }
+  if (scene.run.start == StartKind::kFile) add_relaxing(scene, dt, plan);
   plan.push_back({Phase::kRun, 1, dt, 0, steps_in(run_time(scene), dt), 0});
   return plan;
 }
@@ -82,6 +106,7 @@ void enter_phase(World<Real>& world, const Scene& scene, const std::vector<Phase
   Clock& clock = world.clock;
   set_stiffness(world, scene, phase.stiffness);
   world.drag = std::exp(-phase.drag * phase.dt);
+  world.overlap_cap = phase.overlap_cap * smallest_polyhedron(world);
   world.moving_walls = phase.kind == Phase::kRun;
   if (clock.phase == row && clock.total_steps > 0 && clock.dt == phase.dt) return;  // resumed
   clock.phase = row;

@@ -3,7 +3,12 @@
 //   soft      stiffness * soft_stiffness, a longer step, a drag; until it rests
 //   stiffen   stiffness back to the scene's in many small stages, slower than sound crosses the bed,
 //             so that the overlaps of the soft phase are given back without a jump of the charge
-//   settle    the true law and step, no drag: the last 0.1 s of every settling
+//   relax     after an exchange of shapes (scheduler/exchange): contacts of polyhedra push as if no
+//             deeper than a cap, under drag. A contact comes apart no faster than cap sqrt(k / m) over
+//             twice its damping ratio, where spring and dashpot cancel, however deep it was; so the
+//             cap begins at a ten-thousandth of the smallest polyhedron's radius and grows to a
+//             hundredth, which carries the charge, in many stages
+//   settle    the true law and step, no drag: the last 0.1 s of every settling, 0.05 s of a relaxing
 //   run       the walls move; time, ledger and records start
 #pragma once
 
@@ -20,7 +25,10 @@ struct PhasePlan {
   double drag = 0;            // 1/s, rate at which velocities decay
   std::uint64_t steps = 0;    // at most
   double rest_energy = 0;     // J, kinetic: the phase ends early below it; 0: runs all its steps
+  double overlap_cap = 0;     // of the smallest polyhedron's equivalent radius; 0: none
 };
+
+inline constexpr double kExchangeRelax = 0.2;  // s, of a charge whose shapes were exchanged
 
 // The phases of a scene; the last one is the run. `dt` is the true step, `depth` how far particles
 // may fall (m).

@@ -21,7 +21,7 @@ double zone_height(const Scene& scene, std::span<const ParticleSeed> particles,
   double solid = 0, largest = 0;
   for (const ParticleSeed& p : particles) {
     solid += sphere_volume(p.radius);
-    largest = std::max(largest, p.radius);
+    largest = std::max(largest, p.reach());
   }
   const double flux = column_height(box, solid) / scene.fill.over;  // m/s
   const double through = flux / kZoneFraction;
@@ -65,24 +65,25 @@ std::vector<std::size_t> Rain::insert(double time, std::span<const PlacedSphere>
   if (end <= inserted_) return placed;
   std::vector<double> radii;
   for (const PlacedSphere& s : present) radii.push_back(s.radius);
-  for (std::size_t k = inserted_; k < end; ++k) radii.push_back(particles[order_[k]].radius);
+  for (std::size_t k = inserted_; k < end; ++k) radii.push_back(particles[order_[k]].reach());
   SphereGrid grid(region_.periodic(), radii);
   for (const PlacedSphere& s : present) grid.insert(s.position, s.radius, kNoIndex);
   const std::uint64_t moment = mix_bits(seed_ ^ std::bit_cast<std::uint64_t>(time));
   for (; inserted_ < end; ++inserted_) {
     ParticleSeed& p = particles[order_[inserted_]];
+    const double radius = p.reach();
     CounterRandom random(moment, RandomStream::kRainPlace, order_[inserted_]);
-    const Vec3 low = region_.low_for(p.radius), size = region_.high_for(p.radius) - low;
+    const Vec3 low = region_.low_for(radius), size = region_.high_for(radius) - low;
     bool found = false;
     for (int k = 0; k < kTries && !found; ++k) {
       const double u = random.uniform(), v = random.uniform(), w = random.uniform();
       const Vec3 x = low + size.cwiseProduct(Vec3(u, v, w));
-      found = region_.admits(x, p.radius) && grid.is_free(x, p.radius) &&
-              region_.clear_of_walls(x, p.radius);
+      found = region_.admits(x, radius) && grid.is_free(x, radius) &&
+              region_.clear_of_walls(x, radius);
       if (found) p.position = x;
     }
     if (!found) break;
-    grid.insert(p.position, p.radius, kNoIndex);
+    grid.insert(p.position, radius, kNoIndex);
     placed.push_back(order_[inserted_]);
   }
   return placed;

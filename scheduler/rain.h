@@ -17,6 +17,7 @@
 
 namespace quern {
 
+// A sphere, or the one around a polyhedron.
 struct PlacedSphere {
   Vec3 position;
   double radius;

@@ -14,7 +14,13 @@
 namespace quern {
 
 // One per purpose, so that a change in how many numbers one purpose takes leaves the others alone.
-enum class RandomStream : std::uint64_t { kSize = 1, kPlace = 2, kRainOrder = 3, kRainPlace = 4 };
+enum class RandomStream : std::uint64_t {
+  kSize = 1,
+  kPlace = 2,
+  kRainOrder = 3,
+  kRainPlace = 4,
+  kOrientation = 5
+};
 
 inline constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15u;
 

@@ -1,28 +1,22 @@
+// Walls from their numbers, tables of the law, particles into columns.
 #include "scheduler/setup.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "kernels/laws/damping.h"
+#include "kernels/rotate.h"
 
 namespace quern {
 
 namespace {
 
-std::size_t material_row(const Scene& scene, const std::string& name) {
-  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
-    if (scene.materials[m].name == name) return m;
-  }
-  throw UserError("material '" + name + "' is not defined");
-}
-
-// Diameter bounds of all particles drawn.
+// The least that is solid of any particle, and the farthest that one reaches.
 std::pair<double, double> radius_range(std::span<const ParticleSeed> particles) {
   double low = 1e300, high = 0;
   for (const ParticleSeed& p : particles) {
-    low = std::min(low, p.radius);
-    high = std::max(high, p.radius);
+    low = std::min(low, p.inner());
+    high = std::max(high, p.reach());
   }
   if (high == 0) throw UserError("the scene has no particles");
   return {low, high};
@@ -36,7 +30,7 @@ class GeometryBuilder {
     if (scene.mill && scene.mill->ends == EndKind::kPeriodic) out_.periodic[2] = true;
     for (const ParticleSeed& p : particles) {
       const bool placed = is_explicit(scene, p);
-      if (placed) include(p.position, p.radius);
+      if (placed) include(p.position, p.reach());
     }
   }
 
@@ -200,56 +194,93 @@ LawColumns<Real> law_columns(const Scene& scene, const std::vector<PairValues>& 
   return law;
 }
 
-// The classes of a scene by material and size, each with its lightest member.
-struct AdviceClass {
-  std::string name;
-  std::size_t material = 0;
-  double mass = 0;  // kg; 0: a wall
-};
-
-std::string size_name(const Scene& scene, const ParticleSeed& p) {
-  const ParticleSpec& spec = scene.particles[p.species];
-  char text[96];
-  for (const SizeClass& c : spec.sizes) {
-    if (2 * p.radius < c.from * (1 - 1e-9) || 2 * p.radius > c.to * (1 + 1e-9)) continue;
-    std::snprintf(text, sizeof text, "%s %g-%g mm", spec.name.c_str(), 1e3 * c.from, 1e3 * c.to);
-    return text;
+template <class Real>
+void append_sphere(World<Real>& world, const Scene& scene, const ParticleSeed& seed,
+                   std::size_t k) {
+  Particles<Real>& p = world.particles;
+  const Real radius = static_cast<Real>(seed.radius);
+  p.record[k] = {seed.position.x(), seed.position.y(), seed.position.z(),
+                 seed.velocity.x(), seed.velocity.y(), seed.velocity.z(),
+                 static_cast<Real>(seed.spin.x()), static_cast<Real>(seed.spin.y()),
+                 static_cast<Real>(seed.spin.z()), radius};
+  const double mass =
+      scene.materials[seed.material].density * sphere_volume(static_cast<double>(radius));
+  p.traits[k].inverse_mass = static_cast<Real>(1 / mass);
+  world.total_mass += 1 / static_cast<double>(p.traits[k].inverse_mass);
+  // What comes in with a velocity brings its energy along.
+  if (world.ledger.open != 0) {
+    const double inertia = 0.4 * mass * seed.radius * seed.radius;
+    world.ledger.start_kinetic +=
+        0.5 * (mass * seed.velocity.squaredNorm() + inertia * seed.spin.squaredNorm());
   }
-  if (spec.diameter) {
-    std::snprintf(text, sizeof text, "%s %g mm", spec.name.c_str(), 2e3 * p.radius);
-    return text;
-  }
-  return spec.name;
+  p.traits[k].tag = make_tag(seed.material, 0);
+  p.id[k] = static_cast<Index>(k);
+  p.species[k] = seed.species;
+  p.spin_x[k] = seed.spin.x();
+  p.spin_y[k] = seed.spin.y();
+  p.spin_z[k] = seed.spin.z();
+  p.list_x[k] = p.list_y[k] = p.list_z[k] = 0;
+  p.list_vx[k] = p.list_vy[k] = p.list_vz[k] = 0;
+  p.pair_first[k] = p.pair_count[k] = 0;
 }
 
-std::vector<AdviceClass> advice_classes(const Scene& scene,
-                                        std::span<const ParticleSeed> particles) {
-  std::vector<AdviceClass> classes;
-  std::map<std::string, std::size_t> row;
-  for (const ParticleSeed& p : particles) {
-    const std::string name = size_name(scene, p);
-    const double mass = scene.materials[p.material].density * sphere_volume(p.radius);
-    const auto [at, fresh] = row.emplace(name, classes.size());
-    if (fresh) classes.push_back({name, p.material, mass});
-    classes[at->second].mass = std::min(classes[at->second].mass, mass);
+Index row_of(const std::vector<Shape>& shapes, const Shape* shape) {
+  for (std::size_t row = 0; row < shapes.size(); ++row) {
+    if (&shapes[row] == shape) return static_cast<Index>(row);
   }
-  std::vector<std::pair<std::string, std::string>> walls;
-  if (scene.mill) {
-    walls.emplace_back("liner", scene.mill->material);
-    if (scene.mill->ends == EndKind::kWalls && !scene.mill->end_material.empty()) {
-      walls.emplace_back("ends", scene.mill->end_material);
-    }
+  throw InvariantError("a polyhedron whose shape is not among those of the world");
+}
+
+// Three columns take the components of a vector.
+void put(const Vec3& v, double& x, double& y, double& z) {
+  x = v.x();
+  y = v.y();
+  z = v.z();
+}
+
+template <class Real>
+void append_polyhedron(World<Real>& world, const Scene& scene, const ParticleSeed& seed,
+                       std::size_t k) {
+  Polyhedra<Real>& p = world.polyhedra;
+  const double mass = scene.materials[seed.material].density * sphere_volume(seed.radius);
+  const Vec3 inertia = mass * seed.radius * seed.radius * seed.shape->inertia;
+  const Mat3 turn = seed.orientation.toRotationMatrix();
+  const Vec3 momentum = turn * inertia.cwiseProduct(turn.transpose() * seed.spin);
+  put(seed.position, p.x[k], p.y[k], p.z[k]);
+  put(seed.velocity, p.vx[k], p.vy[k], p.vz[k]);
+  p.qw[k] = seed.orientation.w();
+  put(seed.orientation.vec(), p.qx[k], p.qy[k], p.qz[k]);
+  put(momentum, p.lx[k], p.ly[k], p.lz[k]);
+  put(seed.spin, p.wx[k], p.wy[k], p.wz[k]);
+  p.scale[k] = seed.radius;
+  p.inverse_mass[k] = 1 / mass;
+  put(inverse_inertia_of(inertia), p.inverse_ix[k], p.inverse_iy[k], p.inverse_iz[k]);
+  p.shape[k] = row_of(world.shapes, seed.shape);
+  p.material[k] = seed.material;
+  p.species[k] = seed.species;
+  p.contacts[k] = 0;
+  p.list_x[k] = p.list_y[k] = p.list_z[k] = 0;
+  p.list_vx[k] = p.list_vy[k] = p.list_vz[k] = 0;
+  world.total_mass += mass;
+  if (world.ledger.open != 0) {
+    world.ledger.start_kinetic +=
+        0.5 * (mass * seed.velocity.squaredNorm() + momentum.dot(seed.spin));
   }
-  for (const auto& w : scene.meshes) walls.emplace_back(w.name, w.material);
-  for (const auto& w : scene.planes) walls.emplace_back(w.name, w.material);
-  for (const auto& w : scene.boxes) walls.emplace_back(w.name, w.material);
-  for (const auto& [name, material] : walls) {
-    classes.push_back({name, material_row(scene, material), 0});
-  }
-  return classes;
+}
+
+std::size_t count_spheres(std::span<const ParticleSeed> seeds) {
+  return static_cast<std::size_t>(std::count_if(
+      seeds.begin(), seeds.end(), [](const ParticleSeed& seed) { return seed.is_sphere(); }));
 }
 
 }  // namespace
+
+std::size_t material_row(const Scene& scene, const std::string& name) {
+  for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+    if (scene.materials[m].name == name) return m;
+  }
+  throw UserError("material '" + name + "' is not defined");
+}
 
 std::vector<PairValues> resolve_pairs(const Scene& scene) {
   const std::size_t n = scene.materials.size();
@@ -285,40 +316,6 @@ SceneGeometry build_geometry(const Scene& scene, std::span<const std::vector<Tri
   return GeometryBuilder(scene, particles).build(meshes);
 }
 
-std::vector<StepAdvice> advise_steps(const Scene& scene, std::span<const ParticleSeed> particles,
-                                     double dt) {
-  const std::vector<AdviceClass> classes = advice_classes(scene, particles);
-  const std::vector<PairValues> pairs = resolve_pairs(scene);
-  std::vector<StepAdvice> all;
-  for (std::size_t a = 0; a < classes.size(); ++a) {
-    for (std::size_t b = a; b < classes.size(); ++b) {
-      const double ma = classes[a].mass, mb = classes[b].mass;
-      if (ma == 0) continue;
-      const double reduced = mb == 0 ? ma : ma * mb / (ma + mb);
-      const PairValues& v =
-          pairs[classes[a].material * scene.materials.size() + classes[b].material];
-      StepAdvice advice{classes[a].name, classes[b].name, 0, 0, 0};
-      advice.contact_time = contact_time(reduced, v.normal_stiffness);
-      advice.steps_normal = advice.contact_time / dt;
-      advice.steps_tangential =
-          v.tangential_stiffness > 0
-              ? contact_time(reduced * 2 / 7, v.tangential_stiffness) / dt
-              : HUGE_VAL;
-      all.push_back(advice);
-    }
-  }
-  return all;
-}
-
-double choose_time_step(const Scene& scene, std::span<const ParticleSeed> particles) {
-  if (scene.run.time_step) return *scene.run.time_step;
-  double shortest = HUGE_VAL;
-  for (const StepAdvice& a : advise_steps(scene, particles, 1)) {
-    shortest = std::min(shortest, a.contact_time);
-  }
-  return shortest / 25;
-}
-
 template <class Real>
 void set_stiffness(World<Real>& world, const Scene& scene, double factor) {
   const std::vector<PairValues> pairs = resolve_pairs(scene);
@@ -329,36 +326,16 @@ void set_stiffness(World<Real>& world, const Scene& scene, double factor) {
 template <class Real>
 void append_particles(World<Real>& world, const Scene& scene,
                       std::span<const ParticleSeed> seeds) {
-  Particles<Real>& p = world.particles;
-  const std::size_t before = p.size();
-  p.resize(before + seeds.size());
-  for (std::size_t s = 0; s < seeds.size(); ++s) {
-    const ParticleSeed& seed = seeds[s];
-    const std::size_t k = before + s;
-    const Real radius = static_cast<Real>(seed.radius);
-    p.record[k] = {seed.position.x(), seed.position.y(), seed.position.z(),
-                   seed.velocity.x(), seed.velocity.y(), seed.velocity.z(),
-                   static_cast<Real>(seed.spin.x()), static_cast<Real>(seed.spin.y()),
-                   static_cast<Real>(seed.spin.z()), radius};
-    const double mass = scene.materials[seed.material].density *
-                        sphere_volume(static_cast<double>(radius));
-    p.traits[k].inverse_mass = static_cast<Real>(1 / mass);
-    world.total_mass += 1 / static_cast<double>(p.traits[k].inverse_mass);
-    // What comes in with a velocity brings its energy along.
-    if (world.ledger.open != 0) {
-      const double inertia = 0.4 * mass * seed.radius * seed.radius;
-      world.ledger.start_kinetic +=
-          0.5 * (mass * seed.velocity.squaredNorm() + inertia * seed.spin.squaredNorm());
+  std::size_t sphere = world.particles.size(), polyhedron = world.polyhedra.size();
+  const std::size_t spheres = count_spheres(seeds);
+  world.particles.resize(sphere + spheres);
+  if (spheres < seeds.size()) world.polyhedra.resize(polyhedron + seeds.size() - spheres);
+  for (const ParticleSeed& seed : seeds) {
+    if (seed.is_sphere()) {
+      append_sphere(world, scene, seed, sphere++);
+    } else {
+      append_polyhedron(world, scene, seed, polyhedron++);
     }
-    p.traits[k].tag = make_tag(seed.material, 0);
-    p.id[k] = static_cast<Index>(k);
-    p.species[k] = seed.species;
-    p.spin_x[k] = seed.spin.x();
-    p.spin_y[k] = seed.spin.y();
-    p.spin_z[k] = seed.spin.z();
-    p.list_x[k] = p.list_y[k] = p.list_z[k] = 0;
-    p.list_vx[k] = p.list_vy[k] = p.list_vz[k] = 0;
-    p.pair_first[k] = p.pair_count[k] = 0;
   }
   world.clock.list_stale = 1;
 }
@@ -373,7 +350,8 @@ void include_fill(const Scene& scene, const Vec3& low, const Vec3& high, SceneGe
 
 template <class Real>
 World<Real> make_world(const Scene& scene, SceneGeometry geometry,
-                       std::span<const ParticleSeed> all, std::span<const ParticleSeed> present) {
+                       std::span<const ParticleSeed> all, std::span<const ParticleSeed> present,
+                       std::vector<Shape> shapes) {
   World<Real> world;
   world.tile_size = scene.run.tile_size;
   world.gravity = scene.run.gravity;
@@ -387,6 +365,10 @@ World<Real> make_world(const Scene& scene, SceneGeometry geometry,
   }
   world.walls = std::move(geometry.walls);
   world.bodies = std::move(geometry.bodies);
+  world.shapes = std::move(shapes);
+  world.patch = {scene.contact.overlap, scene.contact.normal_model,
+                 scene.contact.volume_stiffness.value_or(0), scene.contact.patch_damping};
+  world.polyhedra.first_id = static_cast<Index>(count_spheres(all));
   world.smallest_radius = radius_range(all).first;
   world.clock.slack = scene.run.list_slack.value_or(0.2 * world.smallest_radius);
   world.clock.fixed_slack = scene.run.list_slack ? 1 : 0;
@@ -399,9 +381,9 @@ World<Real> make_world(const Scene& scene, SceneGeometry geometry,
 }
 
 template World<float> make_world(const Scene&, SceneGeometry, std::span<const ParticleSeed>,
-                                 std::span<const ParticleSeed>);
+                                 std::span<const ParticleSeed>, std::vector<Shape>);
 template World<double> make_world(const Scene&, SceneGeometry, std::span<const ParticleSeed>,
-                                 std::span<const ParticleSeed>);
+                                 std::span<const ParticleSeed>, std::vector<Shape>);
 template void append_particles(World<float>&, const Scene&, std::span<const ParticleSeed>);
 template void append_particles(World<double>&, const Scene&, std::span<const ParticleSeed>);
 template void set_stiffness(World<float>&, const Scene&, double);

@@ -18,6 +18,9 @@ struct PairValues {
 };
 std::vector<PairValues> resolve_pairs(const Scene& scene);
 
+// Throws UserError if the scene has no such material.
+std::size_t material_row(const Scene& scene, const std::string& name);
+
 // Walls and bodies at t = 0. `meshes` has the triangles of each row of scene.meshes.
 struct SceneGeometry {
   std::vector<Wall> walls;
@@ -29,7 +32,9 @@ struct SceneGeometry {
 SceneGeometry build_geometry(const Scene& scene, std::span<const std::vector<Triangle>> meshes,
                              std::span<const ParticleSeed> particles);
 
-// How many steps a contact takes, for one pair of size classes (or a class and a wall).
+// How many steps a contact takes, for one pair of size classes (or a class and a wall). A polyhedron
+// counts with the least mass that a corner of it opposes to a push, since it turns away; and where
+// overlap is a width, two of its contacts push like three springs.
 struct StepAdvice {
   std::string a, b;                 // "ore 15-25 mm", "liner"
   double contact_time = 0;          // s, normal
@@ -46,12 +51,16 @@ double choose_time_step(const Scene& scene, std::span<const ParticleSeed> partic
 // Widens an automatic domain to hold a fill.
 void include_fill(const Scene& scene, const Vec3& low, const Vec3& high, SceneGeometry& geometry);
 
-// `all` are the particles of the scene, `present` those there from the start.
+// `all` are the particles of the scene, `present` those there from the start; polyhedra among them
+// point into `shapes`, which the world takes over.
 template <class Real>
 World<Real> make_world(const Scene& scene, SceneGeometry geometry,
-                       std::span<const ParticleSeed> all, std::span<const ParticleSeed> present);
+                       std::span<const ParticleSeed> all, std::span<const ParticleSeed> present,
+                       std::vector<Shape> shapes = {});
 
-// Adds particles to a running world; they get the next identities. The lists go stale.
+// Adds particles to a running world, whose shapes the polyhedra among them point into. Identities:
+// spheres get the next from 0 on, polyhedra the next behind all spheres of the scene. The lists go
+// stale.
 template <class Real>
 void append_particles(World<Real>& world, const Scene& scene,
                       std::span<const ParticleSeed> particles);

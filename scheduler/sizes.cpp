@@ -37,6 +37,14 @@ constexpr int kRosinRammlerPieces = 64;
 
 double cube(double d) { return d * d * d; }
 
+// Uniform over all rotations: K. Shoemake, Uniform random rotations, Graphics Gems III (1992).
+Quat random_orientation(std::uint64_t seed, std::uint64_t particle) {
+  CounterRandom random(seed, RandomStream::kOrientation, particle);
+  const double u = random.uniform(), a = random.uniform(0, 2 * kPi), b = random.uniform(0, 2 * kPi);
+  const double s = std::sqrt(1 - u), c = std::sqrt(u);
+  return Quat(c * std::cos(b), s * std::sin(a), s * std::cos(a), c * std::sin(b));
+}
+
 double mean_cube(const Stratum& s) {
   if (s.to - s.from < 1e-9 * s.to) return cube(0.5 * (s.from + s.to));
   if (s.law == NumberLaw::kUniform) {
@@ -95,7 +103,10 @@ class SpeciesDraw {
       seed_.velocity = p.velocity;
       seed_.spin = p.spin;
       seed_.radius = 0.5 * p.diameter;
-      seed_.mesh = next_mesh(spec_.shape);
+      set_mesh(spec_.shape, seed_);
+      if (p.orientation) {
+        seed_.orientation = Eigen::AngleAxisd(p.orientation->angle, p.orientation->axis);
+      }
       out_.push_back(seed_);
     }
   }
@@ -121,13 +132,14 @@ class SpeciesDraw {
     seed.radius =
         0.5 *
         diameter_at(s, CounterRandom(scene_.run.seed, RandomStream::kSize, out_.size()).uniform());
-    seed.mesh = next_mesh(s.shape);
+    set_mesh(s.shape, seed);
     return seed;
   }
 
-  std::uint16_t next_mesh(ShapeKind shape) const {
-    if (shape == ShapeKind::kSphere) return kNoMesh;
-    return static_cast<std::uint16_t>(out_.size() % spec_.meshes.size());
+  void set_mesh(ShapeKind shape, ParticleSeed& seed) const {
+    if (shape == ShapeKind::kSphere) return;
+    seed.mesh = static_cast<std::uint16_t>(out_.size() % spec_.meshes.size());
+    seed.orientation = random_orientation(scene_.run.seed, out_.size());
   }
 
   // Numbers in proportion to share / mean mass; the largest remainders get what rounding left.
@@ -265,6 +277,18 @@ std::vector<ParticleSeed> draw_sizes(const Scene& scene) {
     SpeciesDraw(scene, s, particles).draw();
   }
   return particles;
+}
+
+void assign_shapes(std::span<const Shape> shapes,
+                   std::span<const std::vector<Index>> species_shapes,
+                   std::vector<ParticleSeed>& particles) {
+  for (ParticleSeed& p : particles) {
+    if (p.is_sphere() || p.shape != nullptr) continue;
+    const Index row = species_shapes[p.species][p.mesh];
+    QUERN_CHECK(row < shapes.size());
+    p.shape = &shapes[row];
+    p.orientation = (p.orientation * Quat(p.shape->file_axes)).normalized();
+  }
 }
 
 std::string species_label(const Scene& scene, std::size_t species) {

@@ -130,9 +130,17 @@ struct SizeDistribution {
   double d63 = 0, exponent = 0, from = 0, to = 0;
 };
 
+// By `angle` about `axis` (unit), right-handed.
+struct Turn {
+  Vec3 axis = Vec3::UnitZ();
+  double angle = 0;  // rad
+};
+
 struct ExplicitParticle {
   Vec3 position = Vec3::Zero(), velocity = Vec3::Zero(), spin = Vec3::Zero();
   double diameter = 0;
+  // Of a polyhedron, from how its mesh lies in its file; default: random
+  std::optional<Turn> orientation = std::nullopt;
 };
 
 // A species of particles ("[[particles]]"). Sizes come from exactly one of: diameter, sizes,
@@ -186,6 +194,9 @@ struct RunSpec {
   double soft_stiffness = 0.01;  // stiffness factor of the soft phase; 1: no soft phase
   StartKind start = StartKind::kFill;
   std::string start_file;
+  // s, with start_file: overlaps are let go gently before the run; default: 0.2 where spheres of the
+  // file become polyhedra, else 0
+  std::optional<double> relax;
   Precision precision = Precision::kMixed;
   Index tile_size = 1024;
   std::optional<double> list_slack;  // m

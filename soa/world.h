@@ -99,7 +99,7 @@ struct Window {
   std::array<double, 3> moment_of_mass{};
 };
 
-enum class Phase : std::uint32_t { kSoft, kStiffen, kSettle, kRun };
+enum class Phase : std::uint32_t { kSoft, kStiffen, kRelax, kSettle, kRun };
 
 // Plain numbers that the next step depends on; saved as one block.
 struct Clock {
@@ -136,6 +136,7 @@ struct World {
   PatchLaw patch;
   double overlap_cap = 0;       // m, of contacts with polyhedra while they relax; 0: none
   double drag = 1;              // velocity factor of the soft phase
+  double overlap_cap = 0;       // m; contacts of polyhedra push as if no deeper than this; 0: none
 
   // State.
   Particles<Real> particles;

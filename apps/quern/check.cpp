@@ -62,13 +62,13 @@ void print_steps(const LoadedScene& loaded) {
   }
   const TrialSpec spec = finest_class_trial(loaded.scene);
   const StabilityTrial trial = measure_stability(loaded.scene, spec);
-  log_info(fmt::format("limit        a dense packing of {:g}-{:g} mm stayed at rest down to {:g} steps "
-                       "per contact (measured)",
+  log_info(fmt::format("limit        a dense packing of spheres of {:g}-{:g} mm stayed at rest down to "
+                       "{:g} steps per contact (measured)",
                        1e3 * spec.from, 1e3 * spec.to, trial.limit));
 }
 
 template <class Real>
-void print_cost(const LoadedScene& loaded, int threads) {
+void print_cost(LoadedScene& loaded, int threads) {
   std::vector<ParticleSeed> seeds = loaded.seeds;
   SceneGeometry geometry = build_geometry(loaded.scene, loaded.meshes, seeds);
   for (const Body& body : geometry.bodies) {
@@ -81,7 +81,8 @@ void print_cost(const LoadedScene& loaded, int threads) {
   const FillReport fill = place_particles(loaded.scene, geometry.facets(), seeds);
   log_info(fmt::format("placing      {:.1f} s, solid fraction {:.3f}", fill.seconds, fill.fraction));
   include_fill(loaded.scene, fill.low, fill.high, geometry);
-  World<Real> world = make_world<Real>(loaded.scene, std::move(geometry), seeds, seeds);
+  World<Real> world =
+      make_world<Real>(loaded.scene, std::move(geometry), seeds, seeds, std::move(loaded.shapes));
   const double depth = (fill.high - fill.low).maxCoeff();
   const std::vector<PhasePlan> plan =
       plan_phases(loaded.scene, loaded.dt, depth, world.total_mass, 0.01);
@@ -95,7 +96,8 @@ void print_cost(const LoadedScene& loaded, int threads) {
     if ((stepper.step().bits & kFatalBits) != 0) break;
     ++taken;
   }
-  const double n = static_cast<double>(world.particles.size());
+  loaded.shapes = std::move(world.shapes);  // the seeds point there
+  const double n = static_cast<double>(seeds.size());
   const double rate = n * static_cast<double>(taken) / (seconds() - start);
   // A settled charge has several times the contacts of one that has just been placed.
   constexpr double kSettledShare = 0.4;
@@ -111,7 +113,7 @@ void print_cost(const LoadedScene& loaded, int threads) {
 }  // namespace
 
 int check_command(const RunOptions& options) {
-  const LoadedScene loaded = load_scene(options.scene, options.overrides);
+  LoadedScene loaded = load_scene(options.scene, options.overrides);
   log_info(fmt::format("{}: valid", options.scene));
   print_contents(loaded);
   print_steps(loaded);

@@ -64,6 +64,7 @@ LoadedScene finish(SceneResult result) {
   load_shapes(loaded, errors);
   if (!errors.empty()) throw InputErrors{errors};
   loaded.seeds = draw_sizes(loaded.scene);
+  assign_shapes(loaded.shapes, loaded.species_shapes, loaded.seeds);
   loaded.dt = choose_time_step(loaded.scene, loaded.seeds);
   loaded.scene.run.time_step = loaded.dt;
   return loaded;

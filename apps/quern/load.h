@@ -20,7 +20,7 @@ struct LoadedScene {
   std::vector<std::vector<Triangle>> meshes;
   std::vector<Shape> shapes;                       // every mesh of polyhedra once
   std::vector<std::vector<Index>> species_shapes;  // mesh k of a species -> row of shapes
-  std::vector<ParticleSeed> seeds;                 // drawn, not placed
+  std::vector<ParticleSeed> seeds;                 // drawn, not placed; they point into shapes
   double dt = 0;                                   // s
 };
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -16,6 +17,7 @@
 #include "io/checkpoint.h"
 #include "io/log.h"
 #include "io/scene_reader.h"
+#include "scheduler/exchange.h"
 #include "scheduler/phases.h"
 #include "scheduler/rain.h"
 #include "scheduler/step.h"
@@ -51,21 +53,21 @@ class Run {
     std::vector<ParticleSeed> early;  // of a scene with rain: those there from the start
     for (const ParticleSeed& p : loaded_.seeds) {
       if (rains && is_explicit(scene, p)) early.push_back(p);
-      smallest_ = std::min(smallest_, p.radius);
+      smallest_ = std::min(smallest_, p.inner());
       scene_mass_ += scene.materials[p.material].density * sphere_volume(p.radius);
     }
     world_ = make_world<Real>(scene, std::move(geometry), loaded_.seeds,
-                              rains ? early : loaded_.seeds);
+                              rains ? early : loaded_.seeds, std::move(loaded_.shapes));
+    if (!fills && checkpoint.empty()) {
+      start_from(start_path(scene));
+    } else if (!fills) {
+      read_checkpoint(checkpoint, [&](StateVisitor& v) { world_.visit(v); });
+      count_mass();
+    }
     if (rains) {
       rain_ = std::make_unique<Rain>(scene, bodies_of(world_), loaded_.seeds);
     } else {
       std::vector<ParticleSeed>().swap(loaded_.seeds);  // tens of megabytes in a large scene
-    }
-    if (!fills) {
-      const std::string from = checkpoint.empty() ? start_path(scene) : checkpoint;
-      read_checkpoint(from, [&](StateVisitor& v) { world_.visit(v); });
-      count_mass();
-      if (checkpoint.empty()) restart_clock();
     }
     if (rain_) rain_->resume_after(world_.clock.inserted);
     plan_ = plan_phases(scene, loaded_.dt, depth, scene_mass_, smallest_);
@@ -87,8 +89,7 @@ class Run {
       enter_phase(world_, loaded_.scene, plan_, row);
       const bool run = row + 1 == plan_.size();
       if (run && row > 0 && world_.clock.step == 0) save(options_.out + "/settled");
-      const bool stage = row > 0 && plan_[row].kind == Phase::kStiffen &&
-                         plan_[row - 1].kind == Phase::kStiffen;
+      const bool stage = row > 0 && plan_[row].kind == plan_[row - 1].kind;
       if (world_.clock.step == 0 && !stage) save(options_.out);
       fine = run_phase(plan_[row]);
       if (g_signal != 0 || stopped_) break;
@@ -130,13 +131,8 @@ class Run {
     if (!rain_ || world_.clock.phase != 0 || rain_->waiting() == 0) return;
     constexpr std::uint64_t kEvery = 50;
     if (world_.clock.step % kEvery != 0) return;
-    std::vector<PlacedSphere> here;
-    const Particles<Real>& p = world_.particles;
-    for (std::size_t k = 0; k < p.size(); ++k) {
-      const Record<Real>& r = p.record[k];
-      here.push_back({Vec3(r.x, r.y, r.z), static_cast<double>(r.radius)});
-    }
-    const std::vector<std::size_t> in = rain_->insert(world_.time() + 1e-9, here, loaded_.seeds);
+    const std::vector<std::size_t> in =
+        rain_->insert(world_.time() + 1e-9, room_taken(), loaded_.seeds);
     if (in.empty()) return;
     std::vector<ParticleSeed> fresh;
     for (const std::size_t k : in) fresh.push_back(loaded_.seeds[k]);
@@ -144,14 +140,52 @@ class Run {
     world_.clock.inserted = rain_->inserted();
   }
 
+  // By the particles there are: each with the sphere around it.
+  std::vector<PlacedSphere> room_taken() const {
+    std::vector<PlacedSphere> taken;
+    for (const Record<Real>& r : world_.particles.record) {
+      taken.push_back({Vec3(r.x, r.y, r.z), static_cast<double>(r.radius)});
+    }
+    const Polyhedra<Real>& p = world_.polyhedra;
+    for (std::size_t k = 0; k < p.size(); ++k) {
+      taken.push_back({p.place(k), world_.shapes[p.shape[k]].bound_radius * p.scale[k]});
+    }
+    return taken;
+  }
+
   void count_mass() {
     world_.total_mass = 0;
     for (const Traits<Real>& traits : world_.particles.traits) {
       world_.total_mass += 1 / static_cast<double>(traits.inverse_mass);
     }
+    for (const double inverse_mass : world_.polyhedra.inverse_mass) {
+      world_.total_mass += 1 / inverse_mass;
+    }
   }
 
-  // Another run's state becomes this run's start: its clock and account begin anew.
+  // Another run's state becomes this run's start; where that run knew spheres only, those that this
+  // scene wants as polyhedra are exchanged.
+  void start_from(const std::string& path) {
+    Scene& scene = loaded_.scene;
+    const std::string text = read_checkpoint_header(path).scene_text;
+    const std::vector<ParticleSpec> there = parse_scene(text, path, scene.folder).scene.particles;
+    const bool exchange = !world_.shapes.empty() &&
+                          std::none_of(there.begin(), there.end(), has_polyhedra);
+    std::vector<Shape> shapes;
+    if (exchange) std::swap(shapes, world_.shapes);  // without shapes a world reads no polyhedra
+    read_checkpoint(path, [&](StateVisitor& v) { world_.visit(v); });
+    if (exchange) {
+      world_ = exchange_shapes(std::move(world_), scene, loaded_.seeds, std::move(shapes));
+      scene.run.relax = scene.run.relax.value_or(kExchangeRelax);
+      log_info(fmt::format("{} spheres became polyhedra; they are relaxed for {:g} s",
+                           world_.polyhedra.size(), *scene.run.relax));
+    } else {
+      count_mass();
+    }
+    restart_clock();
+  }
+
+  // The clock and the account begin anew.
   void restart_clock() {
     world_.clock.step = 0;
     world_.clock.phase = 0;
@@ -202,7 +236,7 @@ class Run {
     p.until = until;
     const double taken = now() - phase_started;
     const double steps = static_cast<double>(world_.clock.step - first_step);
-    const double n = static_cast<double>(world_.particles.size());
+    const double n = static_cast<double>(world_.particles.size() + world_.polyhedra.size());
     p.rate = taken > 0 ? n * steps / taken : 0;
     p.contacts = world_.totals.pair_contacts + world_.totals.wall_contacts;
     p.max_overlap = world_.totals.max_overlap;
@@ -290,7 +324,7 @@ class Run {
         numerical_loss_share(l)));
     if (figures_.step_seconds > 0) {
       log_info(fmt::format("speed        {:.3g} particle steps per second, {} threads, {}",
-                           static_cast<double>(world_.particles.size()) *
+                           static_cast<double>(world_.particles.size() + world_.polyhedra.size()) *
                                static_cast<double>(figures_.run_steps) / figures_.step_seconds,
                            figures_.threads, figures_.simd_target));
     }

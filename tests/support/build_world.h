@@ -6,7 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "io/mesh_reader.h"
 #include "io/scene_reader.h"
+#include "kernels/hull.h"
 #include "scheduler/fill.h"
 #include "scheduler/phases.h"
 #include "scheduler/setup.h"
@@ -27,13 +29,39 @@ inline Scene shipped_scene(const std::string& name, const std::vector<std::strin
   return result.scene;
 }
 
+// What a scene's polyhedra look like and its particles, as the program loads them.
+struct DrawnScene {
+  std::vector<Shape> shapes;
+  std::vector<ParticleSeed> seeds;  // they point into shapes
+};
+inline DrawnScene drawn(const Scene& scene) {
+  DrawnScene all;
+  std::vector<std::vector<Index>> rows;
+  for (const ParticleSpec& species : scene.particles) {
+    rows.emplace_back();
+    if (!has_polyhedra(species)) continue;
+    for (const std::string& mesh : species.meshes) {
+      const std::string path = scene.folder.empty() ? mesh : scene.folder + "/" + mesh;
+      const MeshResult read = read_stl(path, 1);
+      for (const std::string& error : read.errors) ADD_FAILURE() << error;
+      ShapeReport report;
+      rows.back().push_back(static_cast<Index>(all.shapes.size()));
+      all.shapes.push_back(build_shape(read.triangles, mesh, {species.hull}, report));
+    }
+  }
+  all.seeds = draw_sizes(scene);
+  assign_shapes(all.shapes, rows, all.seeds);
+  return all;
+}
+
 // World of a scene with its particles placed; the clock is at the start of the run phase.
 template <class Real>
 World<Real> world_of(const Scene& scene, const std::vector<std::vector<Triangle>>& meshes = {}) {
-  std::vector<ParticleSeed> seeds = draw_sizes(scene);
+  auto [shapes, seeds] = drawn(scene);
   SceneGeometry geometry = build_geometry(scene, meshes, seeds);
   place_particles(scene, geometry.facets(), seeds);
-  World<Real> world = make_world<Real>(scene, std::move(geometry), seeds, seeds);
+  World<Real> world =
+      make_world<Real>(scene, std::move(geometry), seeds, seeds, std::move(shapes));
   world.moving_walls = true;
   return world;
 }

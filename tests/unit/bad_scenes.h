@@ -198,16 +198,24 @@ ends = "periodical")",
      R"(seed = 1
 precision = "single")",
      {R"~(7:13: error: 'precision': "single" is not known (mixed, double))~"}},
-    {"Polyhedron",
+    {"PolyhedronWithoutMesh",
      "count = 300",
      R"(count = 300
 shape = "polyhedron")",
-     {R"~(46:9: error: 'shape': "polyhedron" is not available in this version (sphere))~"}},
+     {R"~(41:1: error: particles 'ore' need 'mesh', the STL file of their polyhedra)~"}},
+    {"ClassOfPolyhedraWithoutMesh",
+     R"(diameter = "13.75 mm"
+count = 300)",
+     R"(sizes = [
+  { from = "10 mm", to = "12 mm", count = 3 },
+  { from = "12 mm", to = "14 mm", count = 3, shape = "polyhedron" },
+])",
+     {R"~(41:1: error: particles 'ore' need 'mesh', the STL file of their polyhedra)~"}},
     {"UnknownShape",
      "count = 300",
      R"(count = 300
 shape = "cube")",
-     {R"~(46:9: error: 'shape': "cube" is not known (sphere))~"}},
+     {R"~(46:9: error: 'shape': "cube" is not known (sphere, polyhedron))~"}},
     {"MeshTwice",
      "count = 300",
      R"(count = 300
@@ -239,6 +247,23 @@ mesh = [3])",
      R"(count = 300
 mesh = 3)",
      {R"~(46:8: error: 'mesh' must be a string, found an integer)~"}},
+    {"OrientationWithoutAnAxis",
+     R"(diameter = "13.75 mm"
+count = 300)",
+     R"(diameter = "13.75 mm"
+entries = [{ position = ["0 m", "0 m", "0 m"], orientation = { axis = [0, 0, 0], angle = "1 rad" } }])",
+     {R"~(45:71: error: 'axis' must not be zero)~"}},
+    {"OrientationWithoutAUnit",
+     R"(diameter = "13.75 mm"
+count = 300)",
+     R"(diameter = "13.75 mm"
+entries = [{ position = ["0 m", "0 m", "0 m"], orientation = { angle = 30 } }])",
+     {R"~(45:72: error: 'angle' needs a unit, for example "30 deg")~"}},
+    {"RelaxWithoutAFile",
+     "seed = 1",
+     R"(seed = 1
+relax = "0.2 s")",
+     {R"~(7:9: error: 'relax' needs start = "file")~"}},
     {"DiameterTwice",
      "count = 300",
      R"(count = 300

@@ -42,6 +42,7 @@ void expect_same(const RunSpec& a, const RunSpec& b) {
   EXPECT_EQ(a.soft_stiffness, b.soft_stiffness);
   EXPECT_EQ(a.start, b.start);
   EXPECT_EQ(a.start_file, b.start_file);
+  EXPECT_EQ(a.relax, b.relax);
   EXPECT_EQ(a.precision, b.precision);
   EXPECT_EQ(a.tile_size, b.tile_size);
   EXPECT_EQ(a.list_slack, b.list_slack);
@@ -121,6 +122,10 @@ void expect_same(const ParticleSpec& a, const ParticleSpec& b) {
     EXPECT_EQ(p.velocity, q.velocity);
     EXPECT_EQ(p.spin, q.spin);
     EXPECT_EQ(p.diameter, q.diameter);
+    ASSERT_EQ(p.orientation.has_value(), q.orientation.has_value());
+    if (!p.orientation) continue;
+    EXPECT_EQ(p.orientation->axis, q.orientation->axis);
+    EXPECT_EQ(p.orientation->angle, q.orientation->angle);
   }
 }
 
@@ -215,10 +220,15 @@ constexpr const char* kShipped[] = {"bounce",
                                     "slide_to_roll",
                                     "two_spheres",
                                     "box_packing_spheres",
+                                    "box_packing",
                                     "lab_mill_spheres",
                                     "lab_mill_reference",
+                                    "lab_mill",
+                                    "lab_mill_faceted",
                                     "sag_slice_sp",
                                     "sag_slice_small_sp",
+                                    "sag_slice_ph",
+                                    "sag_slice_small_ph",
                                     "bed"};
 INSTANTIATE_TEST_SUITE_P(SceneReader, ShippedScene, testing::ValuesIn(kShipped),
                          [](const auto& row) { return std::string(row.param); });
@@ -264,6 +274,7 @@ settle_limit = "2 min"
 soft_stiffness = 0.1
 start = "file"
 start_file = "points.csv"
+relax = "0.3 s"
 precision = "double"
 tile_size = 64
 list_slack = "0.7 mm"
@@ -345,7 +356,7 @@ name = "a"
 material = "ore"
 sizes = [
   { from = "1 mm", to = "3 mm", mass_share = "30 %", shape = "sphere" },
-  { from = "3 mm", to = "7 mm", mass_share = 0.7 },
+  { from = "3 mm", to = "7 mm", mass_share = 0.7, shape = "polyhedron" },
 ]
 mass = "3 kg"
 polyhedron_mesh = "points.csv"
@@ -370,11 +381,12 @@ material = "ore"
 diameter = "3 mm"
 entries = [
   { position = ["0 m", "1 mm", "2 mm"], velocity = ["1 m/s", "2 m/s", "3 m/s"], spin = ["1 rad/s", "2 rpm", "3 Hz"] },
-  { position = ["0 m", "1 mm", "9 mm"], diameter = "4 mm" },
+  { position = ["0 m", "1 mm", "9 mm"], diameter = "4 mm", orientation = { axis = [0, 3, 4], angle = "30 deg" } },
 ]
 [[particles]]
 name = "f"
 material = "ore"
+shape = "polyhedron"
 equivalent_diameter = "5 mm"
 mesh = ["points.csv", "./points.csv"]
 count = 3
@@ -396,9 +408,17 @@ TEST(SceneReader, ReadsEveryKeyAndWritesItBack) {
   const SceneResult result = parse(text);
   ASSERT_EQ(result.errors, Lines{});
   EXPECT_EQ(result.scene.particles[3].explicit_particles.size(), 2u);
+  EXPECT_EQ(result.scene.particles[0].sizes[0].shape, ShapeKind::kSphere);
+  EXPECT_EQ(result.scene.particles[0].sizes[1].shape, ShapeKind::kPolyhedron);
+  EXPECT_EQ(result.scene.particles[5].shape, ShapeKind::kPolyhedron);
   EXPECT_EQ(result.scene.particles[0].meshes, Lines{"points.csv"});
   EXPECT_EQ(result.scene.particles[5].meshes, (Lines{"points.csv", "./points.csv"}));
   EXPECT_EQ(result.scene.particles[5].diameter, 0.005);
+  const ExplicitParticle& turned = result.scene.particles[4].explicit_particles[1];
+  ASSERT_TRUE(turned.orientation);
+  EXPECT_EQ(turned.orientation->axis, Vec3(0, 0.6, 0.8));
+  EXPECT_EQ(turned.orientation->angle, kPi / 6);
+  EXPECT_FALSE(result.scene.particles[4].explicit_particles[0].orientation);
   EXPECT_NEAR(result.scene.planes[0].normal.norm(), 1, 1e-15);
   expect_round_trip(result.scene);
   expect_round_trip(parse(kGoodScene).scene);

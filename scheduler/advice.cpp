@@ -1,0 +1,164 @@
+// Steps per contact: pi sqrt(m / k) over the step, m being the mass that the spring feels.
+//
+// A push along n at the point r of a body moves that point as if its mass were m_n, where
+// 1/m_n = 1/m + (r x n) . I^-1 (r x n). Of a sphere m_n = m, and 2/7 m along its surface; of a
+// polyhedron the least is taken over its corners and the normals that a contact there can have: those
+// of the faces around it, of the edges between two of them, and along the surface any direction. A
+// rod gets a quarter of its mass, a cube about as much.
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "kernels/laws/damping.h"
+#include "kernels/rotate.h"
+#include "scheduler/setup.h"
+
+namespace quern {
+
+namespace {
+
+constexpr double kWidthStiffness = 3;  // of flat faces shifted in two directions
+
+// How many times lighter than its mass a body is where it is pushed.
+struct Lightness {
+  double normal = 1, tangential = 3.5;
+};
+
+// 1 + (r x n) . I^-1 (r x n) in units of 1/m, equivalent radius 1.
+double lightness(const Vec3& r, const Vec3& n, const Vec3& inverse_inertia) {
+  const Vec3 arm = r.cross(n);
+  return 1 + arm.dot(inverse_inertia.cwiseProduct(arm));
+}
+
+Lightness lightness_of(const Shape& s) {
+  const Vec3 inverse = inverse_inertia_of(s.inertia);
+  Lightness most{1, 1};
+  const auto push = [&](std::size_t vertex, const Vec3& normal) {
+    most.normal = std::max(most.normal, lightness(s.vertex(vertex), normal, inverse));
+  };
+  for (std::size_t f = 0; f < s.faces; ++f) {
+    for (std::size_t k = s.face_begin[f]; k < s.face_begin[f + 1]; ++k) {
+      push(s.face_vertex[k], s.normal(f));
+    }
+  }
+  for (std::size_t e = 0; e < s.edges; ++e) {
+    const Vec3 normal = (s.normal(s.edge_face[2 * e]) + s.normal(s.edge_face[2 * e + 1])).normalized();
+    push(s.edge_vertex[2 * e], normal);
+    push(s.edge_vertex[2 * e + 1], normal);
+  }
+  for (std::size_t v = 0; v < s.vertices; ++v) {
+    Mat3 cross;
+    const Vec3 r = s.vertex(v);
+    cross << 0, -r.z(), r.y(), r.z(), 0, -r.x(), -r.y(), r.x(), 0;
+    const Mat3 form = cross.transpose() * inverse.asDiagonal() * cross;
+    const Eigen::SelfAdjointEigenSolver<Mat3> solver(form, Eigen::EigenvaluesOnly);
+    most.tangential = std::max(most.tangential, 1 + solver.eigenvalues().maxCoeff());
+  }
+  return most;
+}
+
+// The classes of a scene by material and size, each with its lightest member.
+struct AdviceClass {
+  std::string name;
+  std::size_t material = 0;
+  double mass = 0, tangential_mass = 0;  // kg, as a contact feels them; 0: a wall
+  bool polyhedra = false;
+};
+
+std::string size_name(const Scene& scene, const ParticleSeed& p) {
+  const ParticleSpec& spec = scene.particles[p.species];
+  char text[96];
+  for (const SizeClass& c : spec.sizes) {
+    if (2 * p.radius < c.from * (1 - 1e-9) || 2 * p.radius > c.to * (1 + 1e-9)) continue;
+    if ((shape_of(spec, c) == ShapeKind::kSphere) != p.is_sphere()) continue;
+    std::snprintf(text, sizeof text, "%s %g-%g mm", spec.name.c_str(), 1e3 * c.from, 1e3 * c.to);
+    return text;
+  }
+  if (spec.diameter) {
+    std::snprintf(text, sizeof text, "%s %g mm", spec.name.c_str(), 2e3 * p.radius);
+    return text;
+  }
+  return spec.name;
+}
+
+void add_walls(const Scene& scene, std::vector<AdviceClass>& classes) {
+  std::vector<std::pair<std::string, std::string>> walls;
+  if (scene.mill) {
+    walls.emplace_back("liner", scene.mill->material);
+    if (scene.mill->ends == EndKind::kWalls && !scene.mill->end_material.empty()) {
+      walls.emplace_back("ends", scene.mill->end_material);
+    }
+  }
+  for (const auto& w : scene.meshes) walls.emplace_back(w.name, w.material);
+  for (const auto& w : scene.planes) walls.emplace_back(w.name, w.material);
+  for (const auto& w : scene.boxes) walls.emplace_back(w.name, w.material);
+  for (const auto& [name, material] : walls) {
+    classes.push_back({name, material_row(scene, material), 0, 0, false});
+  }
+}
+
+std::vector<AdviceClass> advice_classes(const Scene& scene,
+                                        std::span<const ParticleSeed> particles) {
+  std::vector<AdviceClass> classes;
+  std::map<std::string, std::size_t> row;
+  std::map<const Shape*, Lightness> known = {{nullptr, Lightness()}};
+  for (const ParticleSeed& p : particles) {
+    const std::string name = size_name(scene, p);
+    auto light = known.find(p.shape);
+    if (light == known.end()) light = known.emplace(p.shape, lightness_of(*p.shape)).first;
+    const double mass = scene.materials[p.material].density * sphere_volume(p.radius);
+    const double normal = mass / light->second.normal, along = mass / light->second.tangential;
+    const auto [at, fresh] = row.emplace(name, classes.size());
+    if (fresh) classes.push_back({name, p.material, normal, along, false});
+    AdviceClass& to = classes[at->second];
+    to.mass = std::min(to.mass, normal);
+    to.tangential_mass = std::min(to.tangential_mass, along);
+    to.polyhedra = to.polyhedra || !p.is_sphere();
+  }
+  add_walls(scene, classes);
+  return classes;
+}
+
+// Of two masses, the second 0 for a wall.
+double reduced_mass(double a, double b) { return b == 0 ? a : a * b / (a + b); }
+
+}  // namespace
+
+std::vector<StepAdvice> advise_steps(const Scene& scene, std::span<const ParticleSeed> particles,
+                                     double dt) {
+  const std::vector<AdviceClass> classes = advice_classes(scene, particles);
+  const std::vector<PairValues> pairs = resolve_pairs(scene);
+  const bool width = scene.contact.overlap == OverlapMeasure::kWidth;
+  std::vector<StepAdvice> all;
+  for (std::size_t row = 0; row < classes.size(); ++row) {
+    for (std::size_t other = row; other < classes.size(); ++other) {
+      const AdviceClass &a = classes[row], &b = classes[other];
+      if (a.mass == 0) continue;
+      const PairValues& v = pairs[a.material * scene.materials.size() + b.material];
+      const bool flat = a.polyhedra && (b.polyhedra || b.mass == 0);
+      const double kn = v.normal_stiffness * (width && flat ? kWidthStiffness : 1);
+      StepAdvice advice{a.name, b.name, 0, 0, 0};
+      advice.contact_time = contact_time(reduced_mass(a.mass, b.mass), kn);
+      advice.steps_normal = advice.contact_time / dt;
+      const double along = reduced_mass(a.tangential_mass, b.tangential_mass);
+      advice.steps_tangential = v.tangential_stiffness > 0
+                                    ? contact_time(along, v.tangential_stiffness) / dt
+                                    : HUGE_VAL;
+      all.push_back(advice);
+    }
+  }
+  return all;
+}
+
+double choose_time_step(const Scene& scene, std::span<const ParticleSeed> particles) {
+  if (scene.run.time_step) return *scene.run.time_step;
+  double shortest = HUGE_VAL;
+  for (const StepAdvice& a : advise_steps(scene, particles, 1)) {
+    shortest = std::min(shortest, a.contact_time);
+  }
+  return shortest / 25;
+}
+
+}  // namespace quern
