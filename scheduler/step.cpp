@@ -314,7 +314,7 @@ void find_outside_body(const World<Real>& world, Offender& found) {
     }
     if (!bad) continue;
     found.id = p.first_id + static_cast<Index>(k);
-    found.position = x;
+    found.position = {x.x(), x.y(), x.z()};
   }
 }
 
@@ -326,7 +326,7 @@ void find_deep_body(const World<Real>& world, Offender& found) {
     if (overlap / radius <= found.overlap) return false;
     found.overlap = overlap / radius;
     found.id = p.first_id + static_cast<Index>(body);
-    found.position = p.place(body);
+    found.position = {p.x[body], p.y[body], p.z[body]};
     found.partner_is_wall = false;
     return true;
   };

@@ -134,7 +134,6 @@ struct World {
   double total_mass = 0;
   std::vector<Shape> shapes;    // of the polyhedra
   PatchLaw patch;
-  double overlap_cap = 0;       // m, of contacts with polyhedra while they relax; 0: none
   double drag = 1;              // velocity factor of the soft phase
   double overlap_cap = 0;       // m; contacts of polyhedra push as if no deeper than this; 0: none
 
