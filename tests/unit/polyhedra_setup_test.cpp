@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/pairs/polyhedron_polyhedron.h"
+#include "kernels/pairs/polyhedron_sphere.h"
 #include "kernels/rotate.h"
 #include "scheduler/rain.h"
 #include "tests/support/build_world.h"
@@ -76,6 +78,18 @@ double smallest_gap(const std::vector<ParticleSeed>& seeds) {
   return gap;
 }
 
+bool overlap(const ParticleSeed& a, const ParticleSeed& b) {
+  if (a.is_sphere()) return b.is_sphere() ? (a.position - b.position).norm() < a.radius + b.radius
+                                          : overlap(b, a);
+  const ShapePose pose{a.shape, a.radius, Vec3::Zero(), a.orientation.toRotationMatrix()};
+  const Vec3 between = b.position - a.position;
+  PolyhedronSphereTouch ball;
+  if (b.is_sphere()) return touch_polyhedron_sphere(pose, between, b.radius, ball);
+  const ShapePose other{b.shape, b.radius, between, b.orientation.toRotationMatrix()};
+  PolyhedronTouch touch;
+  return touch_polyhedra_plain(pose, other, {}, nullptr, between, touch);
+}
+
 TEST(PolyhedronSeeds, AreOrientedUniformly) {
   constexpr long kCount = 20000;
   Mat3 sum = Mat3::Zero(), squares = Mat3::Zero();
@@ -124,7 +138,7 @@ TEST(PolyhedronSeeds, TurnTheMeshAsTheEntrySays) {
   EXPECT_NEAR(seed.inner(), 0.005, 1e-15);
 }
 
-TEST(PolyhedronFill, LeavesTheSpheresAroundThemApart) {
+TEST(PolyhedronFill, PlacesThemApartFromAllAndFromWalls) {
   Scene scene = mixed_scene(60, 60);
   scene.boxes.push_back({"box", "steel", Vec3::Zero(), Vec3::Constant(0.08), false, Motion()});
   scene.fill.method = FillMethod::kRandom;
@@ -132,12 +146,20 @@ TEST(PolyhedronFill, LeavesTheSpheresAroundThemApart) {
   std::vector<ParticleSeed> seeds = seeds_of(scene, shapes);
   const SceneGeometry geometry = build_geometry(scene, {}, seeds);
   const FillReport report = place_particles(scene, geometry.facets(), seeds);
-  EXPECT_GE(smallest_gap(seeds), -1e-16);  // a distance of 0.1 m to rounding
+  EXPECT_LT(smallest_gap(seeds), 0);  // denser than the spheres around them would lie
+  EXPECT_LE(report.low.maxCoeff(), 0.01);
   for (const ParticleSeed& p : seeds) {
-    EXPECT_GE(p.position.minCoeff(), p.reach() * (1 - 1e-14));
-    EXPECT_LE(p.position.maxCoeff(), 0.08 - p.reach() * (1 - 1e-14));
+    if (p.is_sphere()) continue;
+    for (std::size_t v = 0; v < shapes[0].vertices; ++v) {
+      const Vec3 corner = p.position + p.radius * (p.orientation * shapes[0].vertex(v));
+      EXPECT_GE(corner.minCoeff(), -1e-16);  // some roundings of 0.1 m
+      EXPECT_LE(corner.maxCoeff(), 0.08 + 3e-17);
+    }
   }
-  EXPECT_GE(report.low.minCoeff(), -1e-16);
+  // By polygons and by planes, neither of which the filling asks for pairs of polyhedra.
+  for (std::size_t i = 0; i < seeds.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(overlap(seeds[i], seeds[j])) << i << ", " << j;
+  }
   EXPECT_TRUE(check_overlaps(scene, geometry.facets(), seeds, 0).empty());
 }
 
