@@ -16,8 +16,7 @@ ShapePose pose_of(const ParticleSeed& p, const Vec3& place) {
 
 }  // namespace
 
-double overlap_of(const ParticleSeed& a, const ParticleSeed& b, const Vec3& between,
-                  double depth) {
+double overlap_of(const ParticleSeed& a, const ParticleSeed& b, const Vec3& between, double depth) {
   if (a.shape != nullptr && b.shape != nullptr) {
     PairAxis axis;
     PolyhedronTouch touch;

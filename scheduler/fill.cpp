@@ -122,11 +122,12 @@ class Placer {
   bool try_at(const Vec3& x, std::size_t i) {
     ParticleSeed& p = particles_[i];
     const auto blocks = [&](Index other, double depth) {
-      if (p.shape == nullptr && particles_[other].shape == nullptr) return true;
+      const ParticleSeed& q = particles_[other];
+      if (depth >= p.reach() - p.inner() + q.reach() - q.inner()) return true;  // inner spheres do
       const PeriodicAxes& periodic = region_.periodic();
-      const Vec3 between = periodic.nearest_image(periodic.wrapped(particles_[other].position) -
-                                                  periodic.wrapped(x));
-      return overlap_of(p, particles_[other], between, depth) > 0;
+      const Vec3 between =
+          periodic.nearest_image(periodic.wrapped(q.position) - periodic.wrapped(x));
+      return overlap_of(p, q, between, depth) > 0;
     };
     if (grid_.visit(x, p.reach(), blocks) || !region_.clear_of_walls(x, p.inner())) return false;
     p.position = x;

@@ -79,8 +79,8 @@ double smallest_gap(const std::vector<ParticleSeed>& seeds) {
 }
 
 bool overlap(const ParticleSeed& a, const ParticleSeed& b) {
-  if (a.is_sphere()) return b.is_sphere() ? (a.position - b.position).norm() < a.radius + b.radius
-                                          : overlap(b, a);
+  if (a.is_sphere())
+    return b.is_sphere() ? (a.position - b.position).norm() < a.radius + b.radius : overlap(b, a);
   const ShapePose pose{a.shape, a.radius, Vec3::Zero(), a.orientation.toRotationMatrix()};
   const Vec3 between = b.position - a.position;
   PolyhedronSphereTouch ball;
@@ -203,7 +203,8 @@ TEST(PolyhedronOverlaps, AreThoseOfTheBodiesNotOfTheSpheresAroundThem) {
   ASSERT_EQ(lines.size(), 2u) << lines.front();
   const std::string both = lines[0] + lines[1];
   EXPECT_NE(both.find("particle 3 ('rock') overlaps particle 2 ('rock') by 0.002 m"),
-            std::string::npos) << both;
+            std::string::npos)
+      << both;
   EXPECT_NE(both.find("particle 4 ('rock') overlaps a wall by 0.002 m"), std::string::npos) << both;
   scene.particles[0].explicit_particles[0].position.x() += deep;  // into the first cube
   const std::vector<ParticleSeed> closer = seeds_of(scene, shapes);
@@ -274,6 +275,7 @@ TYPED_TEST(PolyhedronWorld, NumbersItsBodiesBehindAllSpheresThatComeLater) {
 TEST(PolyhedronLaw, IsTakenFromTheScene) {
   Scene scene = mixed_scene(0, 1);
   scene.particles.resize(1);
+  scene.fill.method = FillMethod::kRandom;
   scene.contact.overlap = OverlapMeasure::kWidth;
   scene.contact.normal_model = NormalModel::kVolume;
   scene.contact.volume_stiffness = 3e9;
@@ -302,14 +304,17 @@ TEST(PolyhedronSteps, CountWithTheMassAtACorner) {
   const double kn = 1e5, kt = 4e4;
   const double m = kDensity * sphere_volume(0.005), ball = 7800 * sphere_volume(0.004);
   const auto time = [](double mass, double k) { return kPi * std::sqrt(mass / k); };
-  // Sides 1, 1, s: pushed at a corner along x, 1/m_n = 1/m + (1/4) / (m/6) + (s^2/4) / (m (1 + s^2)/12).
+  // Sides 1, 1, s: pushed at a corner along x, 1/m_n = 1/m + (1/4) / (m/6) + (s^2/4) / (m (1 +
+  // s^2)/12).
   for (const double s : {1.0, 2.0, 100.0}) {
     const std::vector<Shape> shapes = one_shape(Vec3(1, 1, s));
     const std::vector<ParticleSeed> seeds = seeds_of(scene, shapes);
     const double corner = m / (1 + 1.5 + 3 / (1 + 1 / (s * s)));
     const double both = corner * ball / (corner + ball);
-    EXPECT_NEAR(contact_times(scene, seeds, "rock 10 mm", "rock 10 mm").first /
-                    time(corner / 2, kn), 1, 1e-12) << s;
+    EXPECT_NEAR(
+        contact_times(scene, seeds, "rock 10 mm", "rock 10 mm").first / time(corner / 2, kn), 1,
+        1e-12)
+        << s;
     EXPECT_NEAR(contact_times(scene, seeds, "rock 10 mm", "floor").first / time(corner, kn), 1,
                 1e-12);
     EXPECT_NEAR(contact_times(scene, seeds, "ball 8 mm", "rock 10 mm").first / time(both, kn), 1,
@@ -323,8 +328,8 @@ TEST(PolyhedronSteps, CountWithTheMassAtACorner) {
   scene.contact.overlap = OverlapMeasure::kWidth;  // three springs, where both sides can be flat
   EXPECT_NEAR(contact_times(scene, seeds, "rock 10 mm", "floor").first / time(m / 4, 3 * kn), 1,
               1e-12);
-  EXPECT_NEAR(contact_times(scene, seeds, "rock 10 mm", "rock 10 mm").first /
-                  time(m / 8, 3 * kn), 1, 1e-12);
+  EXPECT_NEAR(contact_times(scene, seeds, "rock 10 mm", "rock 10 mm").first / time(m / 8, 3 * kn),
+              1, 1e-12);
   EXPECT_NEAR(contact_times(scene, seeds, "ball 8 mm", "ball 8 mm").first / time(ball / 2, kn), 1,
               1e-12);
   scene.run.time_step.reset();
