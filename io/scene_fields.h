@@ -44,7 +44,7 @@ inline constexpr const char* kDirectionWords[] = {"counterclockwise", "clockwise
 inline constexpr const char* kWallWords[] = {"mesh", "plane", "box"};
 inline constexpr const char* kSettleWords[] = {"none", "until-rest"};
 inline constexpr const char* kLawWords[] = {"linear-spring-dashpot"};
-inline constexpr const char* kShapeWords[] = {"sphere"};
+inline constexpr const char* kShapeWords[] = {"sphere", "polyhedron"};
 inline constexpr const char* kOverlapWords[] = {"chord", "width"};
 inline constexpr const char* kNormalModelWords[] = {"stiffness", "volume"};
 

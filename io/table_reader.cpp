@@ -295,14 +295,9 @@ void TableReader::read_word(const Key& key, Words words, int& value) {
       value = static_cast<int>(i);
       return;
     }
-  if (node->text == "polyhedron")
-    fail(key, *node,
-         fmt::format("'{}': \"polyhedron\" is not available in this version ({})", key.name,
-                     list_of(words)));
-  else
-    fail(key, *node,
-         fmt::format("'{}': \"{}\" is not known{} ({})", key.name, node->text,
-                     did_you_mean(node->text, strings_of(words), '"'), list_of(words)));
+  fail(key, *node,
+       fmt::format("'{}': \"{}\" is not known{} ({})", key.name, node->text,
+                   did_you_mean(node->text, strings_of(words), '"'), list_of(words)));
 }
 
 void TableReader::word(const Key& key, Words words, std::string& value) {

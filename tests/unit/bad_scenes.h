@@ -198,16 +198,24 @@ ends = "periodical")",
      R"(seed = 1
 precision = "single")",
      {R"~(7:13: error: 'precision': "single" is not known (mixed, double))~"}},
-    {"Polyhedron",
+    {"PolyhedronWithoutMesh",
      "count = 300",
      R"(count = 300
 shape = "polyhedron")",
-     {R"~(46:9: error: 'shape': "polyhedron" is not available in this version (sphere))~"}},
+     {R"~(41:1: error: particles 'ore' need 'mesh', the STL file of their polyhedra)~"}},
+    {"ClassOfPolyhedraWithoutMesh",
+     R"(diameter = "13.75 mm"
+count = 300)",
+     R"(sizes = [
+  { from = "10 mm", to = "12 mm", count = 3 },
+  { from = "12 mm", to = "14 mm", count = 3, shape = "polyhedron" },
+])",
+     {R"~(41:1: error: particles 'ore' need 'mesh', the STL file of their polyhedra)~"}},
     {"UnknownShape",
      "count = 300",
      R"(count = 300
 shape = "cube")",
-     {R"~(46:9: error: 'shape': "cube" is not known (sphere))~"}},
+     {R"~(46:9: error: 'shape': "cube" is not known (sphere, polyhedron))~"}},
     {"MeshTwice",
      "count = 300",
      R"(count = 300

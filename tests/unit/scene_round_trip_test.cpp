@@ -356,7 +356,7 @@ name = "a"
 material = "ore"
 sizes = [
   { from = "1 mm", to = "3 mm", mass_share = "30 %", shape = "sphere" },
-  { from = "3 mm", to = "7 mm", mass_share = 0.7 },
+  { from = "3 mm", to = "7 mm", mass_share = 0.7, shape = "polyhedron" },
 ]
 mass = "3 kg"
 polyhedron_mesh = "points.csv"
@@ -386,6 +386,7 @@ entries = [
 [[particles]]
 name = "f"
 material = "ore"
+shape = "polyhedron"
 equivalent_diameter = "5 mm"
 mesh = ["points.csv", "./points.csv"]
 count = 3
@@ -407,6 +408,9 @@ TEST(SceneReader, ReadsEveryKeyAndWritesItBack) {
   const SceneResult result = parse(text);
   ASSERT_EQ(result.errors, Lines{});
   EXPECT_EQ(result.scene.particles[3].explicit_particles.size(), 2u);
+  EXPECT_EQ(result.scene.particles[0].sizes[0].shape, ShapeKind::kSphere);
+  EXPECT_EQ(result.scene.particles[0].sizes[1].shape, ShapeKind::kPolyhedron);
+  EXPECT_EQ(result.scene.particles[5].shape, ShapeKind::kPolyhedron);
   EXPECT_EQ(result.scene.particles[0].meshes, Lines{"points.csv"});
   EXPECT_EQ(result.scene.particles[5].meshes, (Lines{"points.csv", "./points.csv"}));
   EXPECT_EQ(result.scene.particles[5].diameter, 0.005);
