@@ -2,11 +2,10 @@
 //
 // A push along n at the point r of a body moves that point as if its mass were m_n, where
 // 1/m_n = 1/m + (r x n) . I^-1 (r x n). Of a sphere m_n = m, and 2/7 m along its surface; of a
-// polyhedron the least is taken over its corners and the normals that a contact there can have: those
-// of the faces around it, of the edges between two of them, and along the surface any direction. A
-// rod gets a quarter of its mass, a cube about as much.
+// polyhedron the least is taken over its corners and the normals that a contact there can have:
+// those of the faces around it, of the edges between two of them, and along the surface any
+// direction. A rod gets a quarter of its mass, a cube about as much.
 #include <Eigen/Eigenvalues>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -44,7 +43,8 @@ Lightness lightness_of(const Shape& s) {
     }
   }
   for (std::size_t e = 0; e < s.edges; ++e) {
-    const Vec3 normal = (s.normal(s.edge_face[2 * e]) + s.normal(s.edge_face[2 * e + 1])).normalized();
+    const Vec3 normal =
+        (s.normal(s.edge_face[2 * e]) + s.normal(s.edge_face[2 * e + 1])).normalized();
     push(s.edge_vertex[2 * e], normal);
     push(s.edge_vertex[2 * e + 1], normal);
   }
@@ -143,9 +143,8 @@ std::vector<StepAdvice> advise_steps(const Scene& scene, std::span<const Particl
       advice.contact_time = contact_time(reduced_mass(a.mass, b.mass), kn);
       advice.steps_normal = advice.contact_time / dt;
       const double along = reduced_mass(a.tangential_mass, b.tangential_mass);
-      advice.steps_tangential = v.tangential_stiffness > 0
-                                    ? contact_time(along, v.tangential_stiffness) / dt
-                                    : HUGE_VAL;
+      advice.steps_tangential =
+          v.tangential_stiffness > 0 ? contact_time(along, v.tangential_stiffness) / dt : HUGE_VAL;
       all.push_back(advice);
     }
   }

@@ -1,7 +1,7 @@
 // The charge in the old order with the exchanged particles taken out; the next rebuild sorts it.
 //
-// Slots of pairs stay where they are, since springs are looked up by the slots of their owner: a slot
-// that lost a partner becomes an empty lane, which has its owner as partner.
+// Slots of pairs stay where they are, since springs are looked up by the slots of their owner: a
+// slot that lost a partner becomes an empty lane, which has its owner as partner.
 #include "scheduler/exchange.h"
 
 #include <algorithm>
@@ -26,9 +26,11 @@ void check_same_charge(const Particles<Real>& p, const Scene& scene,
   for (std::size_t k = 0; k < p.size(); ++k) {
     const ParticleSeed& seed = seeds[p.id[k]];
     const double radius = static_cast<double>(p.record[k].radius);
-    if (p.species[k] == seed.species && p.record[k].radius == static_cast<Real>(seed.radius)) continue;
+    if (p.species[k] == seed.species && p.record[k].radius == static_cast<Real>(seed.radius))
+      continue;
     char text[200];
-    std::snprintf(text, sizeof text, "particle %u of start_file has a diameter of %g mm, in the scene "
+    std::snprintf(text, sizeof text,
+                  "particle %u of start_file has a diameter of %g mm, in the scene "
                   "it is one of %s with %g mm: spheres become polyhedra of the same charge only",
                   p.id[k], 2e3 * radius, species_label(scene, seed.species).c_str(),
                   2e3 * seed.radius);
@@ -131,7 +133,7 @@ World<Real> exchange_shapes(World<Real>&& settled, const Scene& scene,
 
 template World<float> exchange_shapes(World<float>&&, const Scene&, std::span<const ParticleSeed>,
                                       std::vector<Shape>);
-template World<double> exchange_shapes(World<double>&&, const Scene&,
-                                       std::span<const ParticleSeed>, std::vector<Shape>);
+template World<double> exchange_shapes(World<double>&&, const Scene&, std::span<const ParticleSeed>,
+                                       std::vector<Shape>);
 
 }  // namespace quern

@@ -9,6 +9,7 @@
 #include <limits>
 #include <numeric>
 
+#include "scheduler/body_overlap.h"
 #include "scheduler/fill_region.h"
 #include "scheduler/random.h"
 #include "scheduler/sphere_grid.h"
@@ -29,6 +30,7 @@ class Placer {
          std::vector<ParticleSeed>& particles)
       : scene_(scene),
         particles_(particles),
+        walls_(walls),
         region_(make_region(scene, walls, particles)),
         levels_(region_),
         grid_(region_.periodic(), radii_of(particles)) {
@@ -39,7 +41,6 @@ class Placer {
       } else {
         order_.push_back(i);
         solid_ += sphere_volume(particles[i].radius);
-        taken_ += sphere_volume(particles[i].reach());
       }
     }
     std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
@@ -50,7 +51,7 @@ class Placer {
   // Returns the solid fraction below the level reached.
   double fill() {
     check_possible();
-    set_volume(taken_ / aimed_fraction());
+    set_volume(solid_ / aimed_fraction());
     for (placed_ = 0; placed_ < order_.size(); ++placed_) place(order_[placed_]);
     return solid_ / volume_;
   }
@@ -67,9 +68,9 @@ class Placer {
                                 const std::vector<ParticleSeed>& particles) {
     FillRegion region(scene, walls);
     if (!is_open_box(scene) || scene.fill.method == FillMethod::kRandom) return region;
-    double taken = 0;
-    for (const ParticleSeed& p : particles) taken += sphere_volume(p.reach());
-    const double height = column_height(region, taken / kThinnestColumn);
+    double solid = 0;
+    for (const ParticleSeed& p : particles) solid += sphere_volume(p.radius);
+    const double height = column_height(region, solid / kThinnestColumn);
     if (scene.fill.method == FillMethod::kRain) {
       region.move_above_box(height);
     } else {
@@ -95,7 +96,7 @@ class Placer {
       }
     }
     constexpr double kDensestKnown = 0.75;
-    if (taken_ > kDensestKnown * levels_.volume()) fail_full();
+    if (solid_ > kDensestKnown * levels_.volume()) fail_full();
   }
 
   void set_volume(double volume) {
@@ -118,15 +119,25 @@ class Placer {
     set_volume(volume_ * kRise);
   }
 
-  bool try_at(const Vec3& x, double radius, std::size_t i) {
-    if (!grid_.is_free(x, radius) || !region_.clear_of_walls(x, radius)) return false;
-    particles_[i].position = x;
-    grid_.insert(x, radius, static_cast<Index>(i));
+  bool try_at(const Vec3& x, std::size_t i) {
+    ParticleSeed& p = particles_[i];
+    const auto blocks = [&](Index other, double depth) {
+      const ParticleSeed& q = particles_[other];
+      if (depth >= p.reach() - p.inner() + q.reach() - q.inner()) return true;  // inner spheres do
+      const PeriodicAxes& periodic = region_.periodic();
+      const Vec3 between =
+          periodic.nearest_image(periodic.wrapped(q.position) - periodic.wrapped(x));
+      return overlap_of(p, q, between, depth) > 0;
+    };
+    if (grid_.visit(x, p.reach(), blocks) || !region_.clear_of_walls(x, p.inner())) return false;
+    p.position = x;
+    if (p.shape != nullptr && polyhedron_wall_overlap(walls_, p) > 0) return false;
+    grid_.insert(x, p.reach(), static_cast<Index>(i));
     return true;
   }
 
   void place(std::size_t i) {
-    const double radius = particles_[i].reach();
+    const double radius = particles_[i].inner();
     CounterRandom random(scene_.run.seed, RandomStream::kPlace, i);
     for (;;) {
       const Vec3 low = region_.low_for(radius).cwiseMax(draw_low_);
@@ -138,11 +149,11 @@ class Placer {
         const Vec3 x = low + (high - low).cwiseProduct(Vec3(u, v, w));
         const double height = region_.height(x);
         const bool hit = height <= level_ && height >= floor_ && region_.admits(x, radius);
-        if (hit && try_at(x, radius, i)) return;
+        if (hit && try_at(x, i)) return;
         left -= hit ? kMissesPerTry : 1;
       }
       if (full) fail_full();
-      rise(radius);
+      rise(particles_[i].reach());
     }
   }
 
@@ -171,18 +182,18 @@ class Placer {
                     numbers +
                     ". Ask for fewer or smaller particles, widen fill.low and fill.high, or insert "
                     "them over time (method rain). Spheres of one size reach about 0.35 this way, "
-                    "wide mixes 0.45, polyhedra (each takes the sphere around it) about 0.15");
+                    "wide mixes 0.45");
   }
 
   const Scene& scene_;
   std::vector<ParticleSeed>& particles_;
+  std::span<const Facets* const> walls_;
   FillRegion region_;
   LevelTable levels_;
   SphereGrid grid_;
   std::vector<std::size_t> order_;                           // to be placed, largest first
   std::size_t placed_ = 0;                                   // of order_
   double solid_ = 0;                                         // m^3 of all in order_
-  double taken_ = 0;                                         // m^3 of the spheres around them
   double volume_ = 0, level_ = 0;                            // of the region below the level
   double floor_ = -std::numeric_limits<double>::infinity();  // draws are above it
   Vec3 draw_low_ = Vec3::Zero(), draw_high_ = Vec3::Zero();

@@ -6,7 +6,7 @@
 // left. Where a level bounds the region from above (segment, rain), it rises by a few percent
 // whenever one sphere finds no place, so the charge is as dense as addition reaches at a bounded
 // price. Particle i's draws are a function of (seed, i, attempt), and no more than one thread
-// works. A polyhedron is placed as the sphere around it.
+// works. Polyhedra are placed as they are, in the orientation that was drawn for them.
 #pragma once
 
 #include <span>

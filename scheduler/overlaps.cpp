@@ -8,9 +8,7 @@
 #include <cstdio>
 #include <numeric>
 
-#include "kernels/pairs/polyhedron_facet.h"
-#include "kernels/pairs/polyhedron_polyhedron.h"
-#include "kernels/pairs/polyhedron_sphere.h"
+#include "scheduler/body_overlap.h"
 #include "scheduler/fill.h"
 #include "scheduler/sphere_grid.h"
 
@@ -23,41 +21,6 @@ struct Overlap {
   double depth = 0;          // m
   double relative = 0;       // of the smaller radius
 };
-
-ShapePose pose_of(const ParticleSeed& p, const Vec3& place) {
-  return {p.shape, p.radius, place, p.orientation.toRotationMatrix()};
-}
-
-// How deep two particles overlap whose surrounding spheres do by `depth` (m). `between`: from a to b.
-double pair_overlap(const ParticleSeed& a, const ParticleSeed& b, const Vec3& between,
-                    double depth) {
-  if (a.shape != nullptr && b.shape != nullptr) {
-    PolyhedronTouch touch;
-    const ShapePose first = pose_of(a, Vec3::Zero()), second = pose_of(b, between);
-    return touch_polyhedra_plain(first, second, {}, nullptr, between, touch) ? touch.overlap : 0;
-  }
-  if (a.shape == nullptr && b.shape == nullptr) return depth;
-  const bool swapped = a.shape == nullptr;
-  PolyhedronSphereTouch touch;
-  const ShapePose pose = pose_of(swapped ? b : a, Vec3::Zero());
-  const bool touches = touch_polyhedron_sphere(pose, swapped ? Vec3(-between) : between,
-                                               swapped ? a.radius : b.radius, touch);
-  return touches ? touch.overlap : 0;
-}
-
-double polyhedron_wall_overlap(std::span<const Facets* const> walls, const ParticleSeed& p) {
-  double deepest = 0;
-  std::vector<Index> near;
-  for (const Facets* facets : walls) {
-    near.clear();
-    find_facets(*facets, p.position, p.reach(), near);
-    WallPatch patches[kMaxWallPatches];
-    const int count = polyhedron_facet_touches(*facets, pose_of(p, p.position), near, {}, patches,
-                                               kMaxWallPatches);
-    for (int k = 0; k < count; ++k) deepest = std::max(deepest, patches[k].overlap);
-  }
-  return deepest;
-}
 
 double wall_overlap(std::span<const Facets* const> walls, const ParticleSeed& p) {
   if (p.shape != nullptr) return polyhedron_wall_overlap(walls, p);
@@ -86,7 +49,7 @@ std::vector<Overlap> find_overlaps(const Scene& scene, std::span<const Facets* c
       const ParticleSeed& q = particles[partner];
       const Vec3 between = periodic.nearest_image(periodic.wrapped(q.position) -
                                                   periodic.wrapped(p.position));
-      const double depth = pair_overlap(p, q, between, reached);
+      const double depth = overlap_of(p, q, between, reached);
       const double smaller = std::min(p.radius, q.radius);
       const auto same = [&](const Overlap& o) { return o.partner == partner; };
       const auto begin = found.begin() + static_cast<std::ptrdiff_t>(first);
