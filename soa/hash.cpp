@@ -66,6 +66,11 @@ void add_pairs(const World<Real>& world, Hasher& h) {
   }
 }
 
+void add_spring(const WallSpring& s, Hasher& h) {
+  for (const Vec3* v : {&s.spring, &s.force, &s.moment, &s.normal, &s.point}) h.add(*v);
+  h.add(s.overlap);
+}
+
 template <class Real>
 void add_walls(const World<Real>& world, Hasher& h) {
   std::vector<Key> keys;
@@ -83,8 +88,75 @@ void add_walls(const World<Real>& world, Hasher& h) {
     const WallSpring& s = world.tile_walls[key.tile].springs[key.slot];
     h.add(key.a);
     h.add(key.b);
-    for (const Vec3* v : {&s.spring, &s.force, &s.moment, &s.normal, &s.point}) h.add(*v);
+    add_spring(s, h);
+  }
+}
+
+template <class Real>
+void add_polyhedra(const Polyhedra<Real>& p, Hasher& h) {
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    h.add(p.place(k));
+    h.add(p.velocity(k));
+    for (const double v : {p.qw[k], p.qx[k], p.qy[k], p.qz[k]}) h.add(v);
+    h.add(p.momentum(k));
+    h.add(p.scale[k]);
+    h.add(std::uint64_t{p.shape[k]} << 32 | p.material[k]);
+    h.add(std::uint64_t{p.contacts[k]});
+  }
+}
+
+bool is_open(const PolyhedronPair& pair) {
+  return pair.touching != 0 || pair.force != Vec3::Zero() || pair.spring != Vec3::Zero() ||
+         pair.moment != Vec3::Zero();
+}
+
+template <class Real>
+void add_polyhedron_pairs(const Polyhedra<Real>& p, Hasher& h) {
+  std::vector<Key> keys;
+  for (std::size_t k = 0; k < p.pairs.size(); ++k) {
+    if (!is_open(p.pairs[k])) continue;
+    keys.push_back({p.pairs[k].j, p.pairs[k].i, static_cast<Index>(k), 0});
+  }
+  std::sort(keys.begin(), keys.end());
+  for (const Key& key : keys) {
+    const PolyhedronPair& s = p.pairs[key.slot];
+    h.add(key.a << 32 | key.b);
+    h.add(std::uint64_t{s.touching});
+    for (const Vec3* v : {&s.spring, &s.force, &s.moment, &s.normal, &s.arm_i, &s.arm_j}) h.add(*v);
     h.add(s.overlap);
+    h.add(s.elastic_force);
+  }
+}
+
+template <class Real>
+void add_polyhedron_walls(const Polyhedra<Real>& p, Hasher& h) {
+  std::vector<Key> keys;
+  for (std::size_t k = 0; k < p.walls.size(); ++k) {
+    const WallSpring& s = p.walls[k];
+    keys.push_back({s.particle, std::uint64_t{s.wall} << 32 | s.feature, static_cast<Index>(k), 0});
+  }
+  std::sort(keys.begin(), keys.end());
+  for (const Key& key : keys) {
+    h.add(key.a);
+    h.add(key.b);
+    add_spring(p.walls[key.slot], h);
+  }
+}
+
+template <class Real>
+void add_polyhedron_spheres(const World<Real>& world, Hasher& h) {
+  const PolyhedronSphereBatch<Real>& batch = world.polyhedra.spheres;
+  std::vector<Key> keys;
+  for (std::size_t g = 0; g < batch.polyhedron.size(); ++g) {
+    for (Index slot = batch.begin[g]; slot < batch.begin[g] + batch.count[g]; ++slot) {
+      if (!batch.is_open(slot)) continue;
+      keys.push_back({batch.polyhedron[g], world.particles.id[batch.sphere[slot]], slot, 0});
+    }
+  }
+  std::sort(keys.begin(), keys.end());
+  for (const Key& key : keys) {
+    h.add(key.a << 32 | key.b);
+    for (std::size_t k = 0; k < batch.kHistory; ++k) h.add(batch.number(key.slot, k));
   }
 }
 
@@ -107,6 +179,12 @@ std::uint64_t state_hash(const World<Real>& world) {
                          l.tangential_damping, l.numerical_loss}) {
     h.add(v);
   }
+  if (world.shapes.empty()) return h.result();
+  add_polyhedra(world.polyhedra, h);
+  add_polyhedron_pairs(world.polyhedra, h);
+  add_polyhedron_walls(world.polyhedra, h);
+  add_polyhedron_spheres(world, h);
+  h.add(l.model_work);
   return h.result();
 }
 
