@@ -44,6 +44,12 @@ void add_spheres(World<Real>& world, Numbers& number) {
     p.pair_first[k] = p.pair_count[k] = 0;
   }
   world.tile_walls.resize(world.tiles());
+  world.pairs.reset(0, 0);
+  world.pairs.begin.reset(world.tiles() + 1);
+  world.pairs.own_end.reset(world.tiles());
+  for (Column<Index>* c : {&world.pairs.row_begin, &world.pairs.begin, &world.pairs.own_end}) {
+    c->fill(0);
+  }
 }
 
 template <class Real>
