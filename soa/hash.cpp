@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstddef>
+#include <cstring>
 #include <vector>
 
 namespace quern {
@@ -66,11 +68,6 @@ void add_pairs(const World<Real>& world, Hasher& h) {
   }
 }
 
-void add_spring(const WallSpring& s, Hasher& h) {
-  for (const Vec3* v : {&s.spring, &s.force, &s.moment, &s.normal, &s.point}) h.add(*v);
-  h.add(s.overlap);
-}
-
 template <class Real>
 void add_walls(const World<Real>& world, Hasher& h) {
   std::vector<Key> keys;
@@ -88,8 +85,18 @@ void add_walls(const World<Real>& world, Hasher& h) {
     const WallSpring& s = world.tile_walls[key.tile].springs[key.slot];
     h.add(key.a);
     h.add(key.b);
-    add_spring(s, h);
+    for (const Vec3* v : {&s.spring, &s.force, &s.moment, &s.normal, &s.point}) h.add(*v);
+    h.add(s.overlap);
   }
+}
+
+// A row that is saved as bytes, from byte `first` on.
+template <class Row>
+void add_words(const Row& row, std::size_t first, Hasher& h) {
+  static_assert(sizeof(Row) % 8 == 0);
+  std::uint64_t words[sizeof(Row) / 8];
+  std::memcpy(words, static_cast<const void*>(&row), sizeof(Row));
+  for (std::size_t k = first / 8; k < std::size(words); ++k) h.add(words[k]);
 }
 
 template <class Real>
@@ -119,12 +126,9 @@ void add_polyhedron_pairs(const Polyhedra<Real>& p, Hasher& h) {
   }
   std::sort(keys.begin(), keys.end());
   for (const Key& key : keys) {
-    const PolyhedronPair& s = p.pairs[key.slot];
     h.add(key.a << 32 | key.b);
-    h.add(std::uint64_t{s.touching});
-    for (const Vec3* v : {&s.spring, &s.force, &s.moment, &s.normal, &s.arm_i, &s.arm_j}) h.add(*v);
-    h.add(s.overlap);
-    h.add(s.elastic_force);
+    h.add(std::uint64_t{p.pairs[key.slot].touching});
+    add_words(p.pairs[key.slot], offsetof(PolyhedronPair, spring), h);  // behind the cached axis
   }
 }
 
@@ -136,11 +140,7 @@ void add_polyhedron_walls(const Polyhedra<Real>& p, Hasher& h) {
     keys.push_back({s.particle, std::uint64_t{s.wall} << 32 | s.feature, static_cast<Index>(k), 0});
   }
   std::sort(keys.begin(), keys.end());
-  for (const Key& key : keys) {
-    h.add(key.a);
-    h.add(key.b);
-    add_spring(p.walls[key.slot], h);
-  }
+  for (const Key& key : keys) add_words(p.walls[key.slot], 0, h);
 }
 
 template <class Real>

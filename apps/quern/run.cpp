@@ -202,7 +202,7 @@ class Run {
     p.until = until;
     const double taken = now() - phase_started;
     const double steps = static_cast<double>(world_.clock.step - first_step);
-    const double n = static_cast<double>(world_.bodies_of_charge());
+    const double n = static_cast<double>(world_.particles.size());
     p.rate = taken > 0 ? n * steps / taken : 0;
     p.contacts = world_.totals.pair_contacts + world_.totals.wall_contacts;
     p.max_overlap = world_.totals.max_overlap;
@@ -290,7 +290,7 @@ class Run {
         numerical_loss_share(l)));
     if (figures_.step_seconds > 0) {
       log_info(fmt::format("speed        {:.3g} particle steps per second, {} threads, {}",
-                           static_cast<double>(world_.bodies_of_charge()) *
+                           static_cast<double>(world_.particles.size()) *
                                static_cast<double>(figures_.run_steps) / figures_.step_seconds,
                            figures_.threads, figures_.simd_target));
     }

@@ -95,14 +95,13 @@ void add_contacts(Polyhedra<Real>& p, Numbers& number) {
       pair.elastic_force = number();
     }
     p.pairs.push_back(pair);
-    WallSpring spring;
+    WallSpring& spring = p.walls.emplace_back();
     spring.particle = i;
     spring.feature = 7;
     for (Vec3* v : {&spring.spring, &spring.force, &spring.normal, &spring.point, &spring.moment}) {
       *v = number.vector();
     }
     spring.overlap = number();
-    p.walls.push_back(spring);
   }
   p.wall_candidate_begin = {0, 0, 1, 2};
   p.wall_candidate_body = {0, 0};
