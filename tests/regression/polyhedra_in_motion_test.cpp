@@ -1,5 +1,5 @@
-// Mills with polyhedra and spheres: the same bits for any number of threads, any order of the tiles,
-// with or without a restart; and lists that never miss a contact.
+// Mills with polyhedra and spheres: the same bits for any number of threads, any order of the
+// tiles, with or without a restart; and lists that never miss a contact.
 //
 // Two scenes: the laboratory mill (300 polyhedra, 80 balls) and a small cut of the SAG slice
 // (periodic; 128 polyhedra among 1639 spheres, sizes 1:4).

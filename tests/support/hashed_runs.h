@@ -1,5 +1,6 @@
-// Runs that must end in the same bits: a charge in motion is made once and kept as a checkpoint; from
-// there it goes on with any number of threads, any order of the tiles, with or without a restart.
+// Runs that must end in the same bits: a charge in motion is made once and kept as a checkpoint;
+// from there it goes on with any number of threads, any order of the tiles, with or without a
+// restart.
 #pragma once
 
 #include <gtest/gtest.h>

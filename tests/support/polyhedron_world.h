@@ -2,8 +2,9 @@
 // another one.
 //
 // Six spheres of 1 in tiles of four, two shapes (a box, a rock) and three polyhedra of equivalent
-// radius 1, in a domain of 64 about the origin. Polyhedra 0 and 1 are an open pair, 0 and 2 a listed
-// one; 1 and 2 press into a wall; spheres 0 and 4 touch polyhedra, others are listed near them.
+// radius 1, in a domain of 64 about the origin. Polyhedra 0 and 1 are an open pair, 0 and 2 a
+// listed one; 1 and 2 press into a wall; spheres 0 and 4 touch polyhedra, others are listed near
+// them.
 #pragma once
 
 #include "soa/world.h"
@@ -87,8 +88,8 @@ void add_contacts(Polyhedra<Real>& p, Numbers& number) {
     pair.axis[0] = 0.5f;
     if (i == 1) {
       pair.touching = 1;
-      for (Vec3* v : {&pair.spring, &pair.force, &pair.moment, &pair.normal, &pair.arm_i,
-                      &pair.arm_j}) {
+      for (Vec3* v :
+           {&pair.spring, &pair.force, &pair.moment, &pair.normal, &pair.arm_i, &pair.arm_j}) {
         *v = number.vector();
       }
       pair.overlap = number();

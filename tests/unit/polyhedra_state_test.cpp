@@ -1,5 +1,6 @@
 // Polyhedra in the state hash and in checkpoints: any one bit of what decides the future counts, is
-// written and comes back; the order of records does not; a scene without them holds nothing of them.
+// written and comes back; the order of records does not; a scene without them holds nothing of
+// them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -60,7 +61,8 @@ TYPED_TEST(PolyhedraState, HashChangesWithAnyBitOfABody) {
 TYPED_TEST(PolyhedraState, HashChangesWithAnyBitOfAnOpenContact) {
   Polyhedra<TypeParam>& p = this->world.polyhedra;
   PolyhedronPair& pair = p.pairs.front();
-  for (Vec3* v : {&pair.spring, &pair.force, &pair.moment, &pair.normal, &pair.arm_i, &pair.arm_j}) {
+  for (Vec3* v :
+       {&pair.spring, &pair.force, &pair.moment, &pair.normal, &pair.arm_i, &pair.arm_j}) {
     this->expect_every_bit_counts("pair", *v);
   }
   this->expect_every_bit_counts("overlap", pair.overlap);
@@ -90,7 +92,7 @@ TYPED_TEST(PolyhedraState, HashLeavesOutListsAndCaches) {
   }
   p.wall_candidate_facet.push_back(3);
   p.list_x[0] += 1;
-  p.wx[0] += 1;  // follows from momentum and orientation
+  p.wx[0] += 1;                                  // follows from momentum and orientation
   p.spheres.number(1, p.spheres.kOverlap) -= 1;  // of a sphere that is apart
   p.pairs.pop_back();                            // listed, not touching
   EXPECT_EQ(state_hash(this->world), this->before);
