@@ -321,6 +321,7 @@ void set_stiffness(World<Real>& world, const Scene& scene, double factor) {
   const std::vector<PairValues> pairs = resolve_pairs(scene);
   world.law = law_columns<Real>(scene, pairs, factor);
   world.wall_law = law_columns<double>(scene, pairs, factor);
+  world.patch.volume_stiffness = factor * scene.contact.volume_stiffness.value_or(0);
 }
 
 template <class Real>

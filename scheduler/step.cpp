@@ -106,7 +106,11 @@ void Stepper<Real>::run_tile(std::size_t tile, int worker) {
                                pairs.own_end[tile] - begin,
                                pairs.begin[tile + 1] - begin};
   kernels_.pairs(constants_, {p.record.data(), p.traits.data()}, view, rows, totals.pairs);
-  if (bodies_) bodies_->run_tile(tile, worker, rows, totals.pairs);
+  if (bodies_) {
+    const double spheres = totals.pairs.contacts;
+    bodies_->run_tile(tile, worker, rows, totals.pairs);
+    totals.near_bodies = totals.pairs.contacts - spheres;
+  }
 
   MoveView<Real> m{};
   m.now = p.record.data();
@@ -158,6 +162,7 @@ void Stepper<Real>::add_tiles() {
   for (std::size_t tile = 0; tile < tile_totals_.size(); ++tile) {
     const TileTotals& t = tile_totals_[tile];
     pairs.add(t.pairs);
+    sum.polyhedron_sphere_contacts += t.near_bodies;
     walls.add(t.walls);
     sum.translational += t.move.translational;
     sum.rotational += t.move.rotational;
@@ -180,7 +185,10 @@ void Stepper<Real>::add_tiles() {
   }
   if (bodies_) {
     MoveTally move;
+    const double before[2] = {pairs.contacts, walls.contacts};
     bodies_->add_to(pairs, walls, sum.model_work, move, world_.wall_totals);
+    sum.polyhedron_pair_contacts = pairs.contacts - before[0];
+    sum.polyhedron_wall_contacts = walls.contacts - before[1];
     sum.translational += move.translational;
     sum.rotational += move.rotational;
     sum.drag_loss += move.drag_loss;
@@ -247,6 +255,9 @@ void Stepper<Real>::account() {
   w.elastic += t.elastic;
   w.pair_contacts += t.pair_contacts;
   w.wall_contacts += t.wall_contacts;
+  w.polyhedron_sphere_contacts += t.polyhedron_sphere_contacts;
+  w.polyhedron_pair_contacts += t.polyhedron_pair_contacts;
+  w.polyhedron_wall_contacts += t.polyhedron_wall_contacts;
   w.max_overlap = std::max(w.max_overlap, t.max_overlap);
   w.warnings += t.warnings;
   for (std::size_t a = 0; a < 3; ++a) w.moment_of_mass[a] += t.moment_of_mass[a];

@@ -42,6 +42,7 @@ class Stepper {
   };
   struct TileTotals {
     ContactTally pairs, walls;
+    double near_bodies = 0;  // contacts among `pairs` of spheres with polyhedra
     MoveTally move;
   };
 

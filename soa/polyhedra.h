@@ -92,6 +92,7 @@ static_assert(sizeof(PolyhedronWall) == sizeof(WallSpring) + 64, "saved as bytes
 template <class Real>
 struct PolyhedronSphereBatch {
   static constexpr std::size_t kHistory = 13;
+  static constexpr std::size_t kForceEnd = 6, kOverlap = 9;
   Column<Index> tile_begin, polyhedron, count, begin, sphere;
   Column<Real> numbers;
   Column<double> sums;  // kSums a group: force and torque on the polyhedron, contacts; not saved
@@ -102,6 +103,13 @@ struct PolyhedronSphereBatch {
   }
   Real number(std::size_t slot, std::size_t k) const {
     return numbers[(slot / kShapePad * kHistory + k) * kShapePad + slot % kShapePad];
+  }
+  // Touching, or with a last force whose work is still to be booked.
+  bool is_open(std::size_t slot) const {
+    for (std::size_t k = 0; k < kForceEnd; ++k) {
+      if (number(slot, k) != 0) return true;
+    }
+    return number(slot, kOverlap) > 0;
   }
   void visit(StateVisitor& v) {
     v.column("polyhedra/spheres/tile_begin", "1", tile_begin, 1);
