@@ -93,8 +93,9 @@ struct TileRows {
 // Wall contacts of a tile as the narrow phase found them, one lane each, all f64. An entry whose
 // overlap is not positive closes a contact (its last force still does work).
 struct WallContacts {
-  static constexpr int kGeometry = 14;
-  // n(3), overlap, n_old(3), overlap_old, wall velocity at the contact point(3), wall spin(3)
+  static constexpr int kGeometry = 17;
+  // n(3), overlap, n_old(3), overlap_old, wall velocity at the contact point(3), wall spin(3), wall
+  // velocity at the contact point of a step ago(3)
   double* geometry[kGeometry];
   Index* particle;
   std::uint32_t* material;  // of the wall

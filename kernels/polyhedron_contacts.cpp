@@ -84,21 +84,30 @@ void PolyhedronContacts<Real>::set_elastic(const World<Real>& world, double over
   couple = kv * moment;
 }
 
-// Adds a lane; its touch, arms and elastic side are those in `lane`.
+// What the contact was a step ago, into the lane that push() completes.
 template <class Real>
-void PolyhedronContacts<Real>::push(const World<Real>& world, const Lane& lane, const Side& i,
-                                    const Side& j, const Vec3& at_old, Index law_row) {
+void PolyhedronContacts<Real>::put_before(const Before& before) {
   using B = BodyContacts;
   reserve(count_ + 1);
-  const WallSpring& w = lane.wall;  // carries the contact's normal, overlap and history for both kinds
+  put(B::kNormalOld, before.normal);
+  put(B::kOverlapOld, before.overlap);
+  put(B::kAtOld, before.at_point);
+  put(B::kSpring, before.spring);
+  put(B::kForce, before.force);
+}
+
+template <class Real>
+void PolyhedronContacts<Real>::push(const Lane& lane, const Side& i, const Side& j, Index law_row) {
+  using B = BodyContacts;
+  const WallSpring& w = lane.wall;  // normal and overlap of pairs as well
   const auto turning = [](const Side& s) {
     return s.state.inverse_mass + s.arm.squaredNorm() * s.state.mobility;
   };
+  const Vec3 at_point = i.state.velocity + i.state.spin.cross(i.arm) - j.state.velocity -
+                        j.state.spin.cross(j.arm);
   put(B::kNormal, w.normal);
   put(B::kOverlap, lane.touching ? w.overlap : 0);
-  put(B::kAtPoint, Vec3(i.state.velocity + i.state.spin.cross(i.arm) - j.state.velocity -
-                        j.state.spin.cross(j.arm)));
-  put(B::kAtOld, at_old);
+  put(B::kAtPoint, at_point);
   put(B::kSpinI, i.state.spin);
   put(B::kSpinJ, j.state.spin);
   put(B::kInverseMass, i.state.inverse_mass + j.state.inverse_mass);
@@ -106,8 +115,8 @@ void PolyhedronContacts<Real>::push(const World<Real>& world, const Lane& lane, 
   put(B::kCountRate,
       i.state.contacts * i.state.inverse_mass + j.state.contacts * j.state.inverse_mass);
   put(B::kTangentialCountRate, i.state.contacts * turning(i) + j.state.contacts * turning(j));
-  put(B::kElasticForce, lane.touching ? (lane.pair ? lane.pair->elastic_force : lane.wall.elastic_force) : 0);
-  put(B::kStored, lane.touching ? (lane.pair ? lane.pair->stored : lane.wall.stored) : 0);
+  put(B::kElasticForce, lane.pair ? lane.pair->elastic_force : lane.wall.elastic_force);
+  put(B::kStored, lane.pair ? lane.pair->stored : lane.wall.stored);
   law_row_[count_] = law_row;
   lanes_.push_back(lane);
   Lane& added = lanes_.back();
@@ -115,12 +124,10 @@ void PolyhedronContacts<Real>::push(const World<Real>& world, const Lane& lane, 
   added.mobility =
       patch_mobility(i.state.mobility, i.state.contacts, j.state.mobility, j.state.contacts);
   ++count_;
-  static_cast<void>(world);
 }
 
 template <class Real>
 void PolyhedronContacts<Real>::collect_pair(World<Real>& world, PolyhedronPair& pair) {
-  using B = BodyContacts;
   const Polyhedra<Real>& p = world.polyhedra;
   ShapePose a = shape_pose(world, pair.j), b = shape_pose(world, pair.i);
   b.place = separation(world, Vec3(b.place - a.place));
@@ -167,21 +174,14 @@ void PolyhedronContacts<Real>::collect_pair(World<Real>& world, PolyhedronPair& 
                 pair.elastic_force, pair.stored, pair.couple);
   }
   lane.couple = pair.couple;
-  const Vec3 spring = pair.spring, force = pair.force;
-  push(world, lane, i, j, at_old, row);
-  --count_;
-  put(B::kNormalOld, normal_old);
-  put(B::kOverlapOld, overlap_old);
-  put(B::kSpring, spring);
-  put(B::kForce, force);
-  ++count_;
+  put_before({normal_old, overlap_old, at_old, pair.spring, pair.force});
+  push(lane, i, j, row);
 }
 
 template <class Real>
 void PolyhedronContacts<Real>::collect_wall(World<Real>& world, std::size_t body, Index wall_body,
                                             std::span<const Index> facets,
                                             std::span<const PolyhedronWall> old) {
-  using B = BodyContacts;
   const Body& wall = world.bodies[wall_body];
   const Mat3& turn = wall.pose.rotation;
   const ShapePose here = shape_pose(world, body);
@@ -256,14 +256,11 @@ void PolyhedronContacts<Real>::collect_wall(World<Real>& world, std::size_t body
     j.state.spin = wall.velocity.spin;
     i.arm = lane.wall.arm;
     lane.arm_i = i.arm;
-    const Vec3 at_old = i.state.velocity + i.state.spin.cross(arm_old) - lane.wall_velocity;
-    push(world, lane, i, j, at_old, row);
-    --count_;
-    put(B::kNormalOld, normal_old);
-    put(B::kOverlapOld, overlap_old);
-    put(B::kSpring, was ? was->spring : Vec3(Vec3::Zero()));
-    put(B::kForce, was ? was->force : Vec3(Vec3::Zero()));
-    ++count_;
+    lane.wall_velocity_old = wall.velocity.from(was ? was->point : world_point, world.clock.dt);
+    const Vec3 at_old = i.state.velocity + i.state.spin.cross(arm_old) - lane.wall_velocity_old;
+    put_before({normal_old, overlap_old, at_old, was ? was->spring : Vec3(Vec3::Zero()),
+                was ? was->force : Vec3(Vec3::Zero())});
+    push(lane, i, j, row);
   };
   for (std::size_t k = 0; k < count; ++k) {
     const PolyhedronWall* was = nullptr;
@@ -392,7 +389,7 @@ void PolyhedronContacts<Real>::finish(World<Real>& world, const StepConstants<do
       continue;
     }
     WallTotal& total = totals[lane.wall.wall];
-    total.work += half_dt * ((force_old + force).dot(lane.wall_velocity) +
+    total.work += half_dt * (force_old.dot(lane.wall_velocity_old) + force.dot(lane.wall_velocity) +
                              (lane.moment_old + moment).dot(get3(B::kSpinJ, k)));
     if (!lane.touching) continue;
     lane.wall.spring = get3(B::kSpring, k);

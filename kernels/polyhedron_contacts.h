@@ -51,7 +51,7 @@ class PolyhedronContacts {
     PolyhedronPair* pair;  // null: a wall
     PolyhedronWall wall;
     bool touching;
-    Vec3 arm_i, arm_j, wall_velocity;
+    Vec3 arm_i, arm_j, wall_velocity, wall_velocity_old;
     double area, mobility, inverse_tangential, stored_old, elastic_force_old;
     Vec3 couple, couple_old, moment_old;
     double smaller;  // m, equivalent radius of the smaller body
@@ -64,8 +64,13 @@ class PolyhedronContacts {
   void collect_walls(World<Real>& world, std::size_t body);
   void collect_wall(World<Real>& world, std::size_t body, Index wall_body,
                     std::span<const Index> facets, std::span<const PolyhedronWall> old);
-  void push(const World<Real>& world, const Lane& lane, const Side& i, const Side& j,
-            const Vec3& at_old, Index law_row);
+  struct Before {  // a step ago
+    Vec3 normal;
+    double overlap;
+    Vec3 at_point, spring, force;
+  };
+  void put_before(const Before& before);
+  void push(const Lane& lane, const Side& i, const Side& j, Index law_row);
   void set_elastic(const World<Real>& world, double overlap, double area, double volume,
                    const Vec3& moment, double smaller, Index law_row, double& force, double& stored,
                    Vec3& couple) const;

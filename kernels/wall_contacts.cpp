@@ -53,12 +53,13 @@ void find_touches(const Body& body, const Ball& ball, std::span<const Index> fac
   }
 }
 
-void push_closing(const WallSpring& spring, const Body& body,
-                  std::uint32_t material, WallLanes& lanes) {
+void push_closing(const WallSpring& spring, const Body& body, double dt, std::uint32_t material,
+                  WallLanes& lanes) {
   WallSpring meta = spring;
   meta.overlap = 0;
-  lanes.push(meta, spring.normal, spring.overlap, body.velocity.at(spring.point),
-             body.velocity.spin, material);
+  const WallVelocity& v = body.velocity;
+  lanes.push(meta, spring.normal, spring.overlap,
+             {v.at(spring.point), v.from(spring.point, dt), v.spin}, material);
 }
 
 // Lanes for the contacts of one particle with one body; `old` are its open springs.
@@ -82,12 +83,14 @@ void push_contacts(const World<Real>& world, Index b, const Ball& ball,
     WallSpring meta;
     Vec3 normal_old = now.normal[k];
     double overlap_old = 0;
+    Vec3 point_old = now.point[k];
     if (from[k] >= 0) {
       const std::size_t was = static_cast<std::size_t>(from[k]);
       if (was < used.size()) used[was] = true;
       meta = old[was];
       normal_old = meta.normal;
       overlap_old = meta.overlap;
+      point_old = meta.point;
     }
     meta.wall = now.wall[k];
     meta.feature = now.feature[k];
@@ -95,19 +98,21 @@ void push_contacts(const World<Real>& world, Index b, const Ball& ball,
     meta.normal = now.normal[k];
     meta.point = now.point[k];
     meta.overlap = now.overlap[k];
-    lanes.push(meta, normal_old, overlap_old, body.velocity.at(meta.point), body.velocity.spin,
+    const WallVelocity& v = body.velocity;
+    lanes.push(meta, normal_old, overlap_old,
+               {v.at(meta.point), v.from(point_old, world.clock.dt), v.spin},
                world.walls[meta.wall].material);
   }
   for (std::size_t k = 0; k < old.size(); ++k) {
     if (k < used.size() && used[k]) continue;
-    push_closing(old[k], body, world.walls[old[k].wall].material, lanes);
+    push_closing(old[k], body, world.clock.dt, world.walls[old[k].wall].material, lanes);
   }
 }
 
 }  // namespace
 
 void WallLanes::push(const WallSpring& meta, const Vec3& normal_old, double overlap_old,
-                     const Vec3& wall_velocity, const Vec3& wall_spin, std::uint32_t material) {
+                     const WallMotion& wall, std::uint32_t material) {
   const std::size_t k = meta_.size();
   reserve(k + 1);
   meta_.push_back(meta);
@@ -118,11 +123,12 @@ void WallLanes::push(const WallSpring& meta, const Vec3& normal_old, double over
     const Eigen::Index e = static_cast<Eigen::Index>(a);
     put(a, meta.normal[e]);
     put(4 + a, normal_old[e]);
-    put(8 + a, wall_velocity[e]);
-    put(11 + a, wall_spin[e]);
-    put(14 + a, meta.spring[e]);
-    put(17 + a, meta.force[e]);
-    put(20 + a, meta.moment[e]);
+    put(8 + a, wall.velocity[e]);
+    put(11 + a, wall.spin[e]);
+    put(14 + a, wall.velocity_old[e]);
+    put(17 + a, meta.spring[e]);
+    put(20 + a, meta.force[e]);
+    put(23 + a, meta.moment[e]);
   }
   put(3, meta.overlap);
   put(7, overlap_old);
@@ -177,7 +183,7 @@ void collect_wall_contacts(const World<Real>& world, std::size_t tile, WallLanes
            (springs[at].particle < particle ||
             (springs[at].particle == particle && body_of(springs[at]) < body))) {
       const WallSpring& s = springs[at++];
-      push_closing(s, world.bodies[body_of(s)], world.walls[s.wall].material, lanes);
+      push_closing(s, world.bodies[body_of(s)], world.clock.dt, world.walls[s.wall].material, lanes);
     }
   };
   for (std::size_t entry = 0; entry < c.particle.size(); ++entry) {

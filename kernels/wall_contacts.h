@@ -14,13 +14,19 @@
 
 namespace quern {
 
+// A wall's velocity over the step where a contact is and where it was before, and its spin.
+struct WallMotion {
+  Vec3 velocity, velocity_old, spin;
+};
+
+
 // Lanes of one tile; kept by a worker between tiles.
 class WallLanes {
  public:
   void clear() { meta_.clear(); }
   std::size_t size() const { return meta_.size(); }
   void push(const WallSpring& meta, const Vec3& normal_old, double overlap_old,
-            const Vec3& wall_velocity, const Vec3& wall_spin, std::uint32_t material);
+            const WallMotion& wall, std::uint32_t material);
   // Pads to whole vectors (overlap 0, no force, particle `idle`) and shows the lanes to a kernel.
   WallContacts view(Index idle);
   WallSpring& meta(std::size_t k) { return meta_[k]; }

@@ -21,6 +21,8 @@ struct WallVelocity {
   Vec3 offset = Vec3::Zero();
   Vec3 spin = Vec3::Zero();  // angular velocity, rad/s
   Vec3 at(const Vec3& x) const { return gradient * x + offset; }
+  // Of the point that was at x before the step, right to (angle of the step)^2 of itself.
+  Vec3 from(const Vec3& x, double dt) const { return at(x + dt * at(x + dt * at(x))); }
 };
 
 double schedule_value(const Schedule& schedule, double time);

@@ -36,6 +36,7 @@ void sphere_facet(const StepConstants<double>& step, const ParticleView<Real>& p
     t.normal_old = {geometry(4), geometry(5), geometry(6)};
     t.overlap_old = geometry(7);
     const Vec3V<V> wall_velocity = {geometry(8), geometry(9), geometry(10)};
+    const Vec3V<V> wall_velocity_old = {geometry(14), geometry(15), geometry(16)};
     const Vec3V<V> velocity = a.velocity - wall_velocity;
     t.normal_velocity = dot(t.normal, velocity);
     t.spin_i = {to_f64(a.spin.x), to_f64(a.spin.y), to_f64(a.spin.z)};
@@ -43,7 +44,7 @@ void sphere_facet(const StepConstants<double>& step, const ParticleView<Real>& p
     const V arm = hn::NegMulAdd(half, t.overlap, radius);
     const V arm_old = hn::NegMulAdd(half, t.overlap_old, radius);
     t.at_point = velocity - cross(scale(arm, t.spin_i), t.normal);
-    t.at_old = velocity - cross(scale(arm_old, t.spin_i), t.normal_old);
+    t.at_old = a.velocity - wall_velocity_old - cross(scale(arm_old, t.spin_i), t.normal_old);
     t.inverse_mass = inverse_mass;
     t.count_rate = hn::Mul(contacts, inverse_mass);
     t.contacts = contacts;
@@ -66,9 +67,9 @@ void sphere_facet(const StepConstants<double>& step, const ParticleView<Real>& p
     const ResponseV<V> r =
         respond<double>(step, load_coefficients<double>(step.law, row), t, old, touching);
     const V half_dt = hn::Set(d, 0.5 * step.dt);
-    const Vec3V<V> both = old.force + r.force;
+    const V pushed = hn::Add(dot(old.force, wall_velocity_old), dot(r.force, wall_velocity));
     const V turned = step.rolling ? dot(old.moment + r.moment, t.spin_j) : zero;
-    hn::StoreU(hn::Mul(half_dt, hn::Add(dot(both, wall_velocity), turned)), d, walls.wall_work + at);
+    hn::StoreU(hn::Mul(half_dt, hn::Add(pushed, turned)), d, walls.wall_work + at);
     store3(r.spring, walls.spring, at);
     store3(r.force, walls.force, at);
     store3(r.moment, walls.moment, at);

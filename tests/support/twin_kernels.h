@@ -40,6 +40,7 @@ struct Contact {
   Side i, j;
   Vec3 normal = Vec3::UnitX(), normal_old = Vec3::UnitX();
   Vec3 velocity = Vec3::Zero();  // of centre i - centre j (wall: contact point)
+  Vec3 velocity_old = Vec3::Zero();  // the same, where the contact point of a wall was a step ago
   double overlap = 0, overlap_old = 0;
   double extent = 0;  // m, lengths whose f64 rounding enters the overlap
   bool touching = false;
@@ -99,7 +100,7 @@ inline Terms terms(const Coefficients& k, const Contact& c, double dt) {
   const Vec3& n = c.normal;
   t.at_point = c.velocity + c.i.spin.cross(-c.i.arm * n) - c.j.spin.cross(c.j.arm * n);
   t.slip = t.at_point - n.dot(t.at_point) * n;
-  t.slip_old = c.velocity + c.i.spin.cross(-c.i.arm_old * c.normal_old) -
+  t.slip_old = c.velocity_old + c.i.spin.cross(-c.i.arm_old * c.normal_old) -
                c.j.spin.cross(c.j.arm_old * c.normal_old);
   t.vn = n.dot(c.velocity);
   t.speed =
@@ -246,6 +247,7 @@ Contact sphere_sphere(const StepConstants<Real>& step, const ParticleView<Real>&
     }
   }
   c.velocity = Vec3(a.vx - b.vx, a.vy - b.vy, a.vz - b.vz);
+  c.velocity_old = c.velocity;
   const Vec3 dx_old = dx - step.dt * c.velocity;
   c.normal = dx.normalized();
   c.normal_old = dx_old.normalized();
@@ -270,6 +272,7 @@ Contact sphere_facet(const ParticleView<Real>& p, const WallContacts& walls, std
   c.normal_old = row(4);
   c.overlap_old = walls.geometry[7][k];
   c.velocity = Vec3(a.vx, a.vy, a.vz) - row(8);
+  c.velocity_old = Vec3(a.vx, a.vy, a.vz) - row(14);
   c.touching = c.overlap > 0;
   c.i = side_of(p, walls.particle[k], c.overlap, c.overlap_old);
   c.j.spin = row(11);

@@ -344,6 +344,7 @@ void check_walls(const CaseOptions& o, std::size_t count, unsigned seed) {
         walls.geometry[0 + a][k] = lost ? normal_old[a] : normal[a];
         walls.geometry[4 + a][k] = normal_old[a];
         walls.geometry[8 + a][k] = wall_velocity[a];
+        walls.geometry[14 + a][k] = wall_velocity[a] + 1e-3 * turned[a];
         walls.geometry[11 + a][k] = wall_spin[a];
         walls.spring[a][k] = before[k].spring[a];
         walls.force[a][k] = before[k].force[a];
@@ -374,7 +375,8 @@ void check_walls(const CaseOptions& o, std::size_t count, unsigned seed) {
     EXPECT_EQ(rows.touches(2 * k), contact[k].touching ? 1 : 0);
     const Vec3 velocity(walls.geometry[8][k], walls.geometry[9][k], walls.geometry[10][k]);
     const Vec3& spin = contact[k].j.spin;
-    double work = 0.5 * step.dt * (before[k].force + r.force).dot(velocity);
+    const Vec3 velocity_old(walls.geometry[14][k], walls.geometry[15][k], walls.geometry[16][k]);
+    double work = 0.5 * step.dt * (before[k].force.dot(velocity_old) + r.force.dot(velocity));
     double error = velocity.norm() * (r.force_error + kEps<double> * before[k].force.norm());
     if (o.rolling) {
       work += 0.5 * step.dt * (before[k].moment + r.moment).dot(spin);

@@ -1,0 +1,284 @@
+// Polyhedra in the engine itself: at rest, stacked, on an incline; what is conserved.
+//
+// Cubes of side 1 m and density 1 under gravity 1 with kn = 1e4: a cube at rest overlaps by 1e-4.
+// 25 steps per contact of a cube with a wall. Bounds are those of the narrow integrators' tests
+// (polyhedron_rest_test.cpp); here the lists, the law's lanes and the sums are in between.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <fstream>
+
+#include "tests/support/small_scene.h"
+#include "tests/support/temp_folder.h"
+
+namespace quern::test {
+namespace {
+
+constexpr double kStiffness = 1e4;
+const double kCubeDiameter = std::cbrt(6 / kPi);  // of the sphere of equal volume
+
+Scene cube_scene(double restitution = 0.5) {
+  Law law;
+  law.kn = kStiffness;
+  law.kt = 0.4 * kStiffness;
+  law.restitution = restitution;
+  const double dt = kPi * std::sqrt(1 / kStiffness) / 25;
+  Scene scene = small_scene(law, dt, 40);
+  scene.materials[0].density = 1;
+  scene.folder = QUERN_SOURCE_DIR "/apps/shapes";
+  scene.particles[0].name = "cube";
+  scene.particles[0].shape = ShapeKind::kPolyhedron;
+  scene.particles[0].meshes = {"cube.stl"};
+  return scene;
+}
+
+ExplicitParticle cube_at(const Vec3& place, const Vec3& axis = Vec3::UnitZ(), double angle = 0) {
+  ExplicitParticle p;
+  p.position = place;
+  p.diameter = kCubeDiameter;
+  p.orientation = Turn{axis, angle};
+  return p;
+}
+
+template <class Real>
+Vec3 corner(const World<Real>& world, std::size_t body, std::size_t vertex) {
+  const Polyhedra<Real>& p = world.polyhedra;
+  return p.place(body) +
+         p.scale[body] * (p.orientation(body) * world.shapes[p.shape[body]].vertex(vertex));
+}
+
+template <class Real>
+class PolyhedraInTheEngine : public testing::Test {};
+TYPED_TEST_SUITE(PolyhedraInTheEngine, Precisions);
+
+TYPED_TEST(PolyhedraInTheEngine, ACubeComesToRestOnAPlate) {
+  for (const double tilt : {0.0, 1e-6, 1e-2, 0.3}) {
+    SCOPED_TRACE(tilt);
+    Scene scene = cube_scene();
+    scene.run.gravity = Vec3(0, 0, -1);
+    add_plane(scene, Vec3::Zero(), Vec3::UnitZ());
+    const double high = 0.5 * (std::cos(tilt) + std::sin(tilt)) + 1e-3;
+    scene.particles[0].explicit_particles = {cube_at({0, 0, high}, {1, 0.3, 0}, tilt)};
+    World<TypeParam> world = world_of<TypeParam>(scene);
+    Stepper<TypeParam> stepper(world, 1);
+    run_steps(world, stepper, 100000);
+    EXPECT_LT(world.polyhedra.velocity(0).norm(), 1e-10);
+    EXPECT_LT(world.polyhedra.spin(0).norm(), 1e-10);
+    // kn' of the implicit damping: kn / (1 + zeta w dt), zeta of e = 0.5 and w dt = pi / 25.
+    const double zeta = 0.2553, rest = (1 + zeta * kPi / 25) / kStiffness;
+    double lowest = 1, spread = 0;
+    for (std::size_t v = 0; v < 8; ++v) lowest = std::min(lowest, corner(world, 0, v).z());
+    for (std::size_t v = 0; v < 8; ++v) {
+      const double z = corner(world, 0, v).z();
+      if (z < 0.5) spread = std::max(spread, z - lowest);
+    }
+    EXPECT_NEAR(-lowest / rest, 1, 2e-4);  // zeta is given to four digits
+    EXPECT_LT(spread, 1e-6 * rest);
+    EXPECT_EQ(world.polyhedra.contacts[0], 1u);
+  }
+}
+
+TYPED_TEST(PolyhedraInTheEngine, TwoStackedCubesSettleAtOneHeightHoweverTheyAreAligned) {
+  double height[2] = {};
+  for (int k = 0; k < 2; ++k) {
+    Scene scene = cube_scene();
+    scene.run.gravity = Vec3(0, 0, -1);
+    add_plane(scene, Vec3::Zero(), Vec3::UnitZ());
+    const double shift = k == 0 ? 0 : 1e-12;
+    scene.particles[0].explicit_particles = {cube_at({0, 0, 0.5}), cube_at({shift, 0, 1.5})};
+    World<TypeParam> world = world_of<TypeParam>(scene);
+    Stepper<TypeParam> stepper(world, 1);
+    run_steps(world, stepper, 60000);
+    EXPECT_LT(world.polyhedra.velocity(1).norm(), 1e-9);
+    height[k] = world.polyhedra.z[1];
+    EXPECT_LT(height[k], 1.5 - 2.9e-4);  // 2 m g / kn below, m g / kn between
+  }
+  EXPECT_NEAR(height[0], height[1], 1e-3 / kStiffness);
+}
+
+// A box of 2 x 2 x 0.4 m as an STL file.
+std::string flat_box(const TempFolder& folder) {
+  const std::string path = folder / "box.stl";
+  std::ofstream out(path);
+  out << "solid box\n";
+  const Vec3 half(1, 1, 0.2);
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double side : {-1.0, 1.0}) {
+      const Vec3 n = side * Vec3::Unit(axis), u = Vec3::Unit((axis + 1) % 3), v = n.cross(u);
+      const Vec3 corner[4] = {n - u - v, n + u - v, n + u + v, n - u + v};
+      for (const auto& t : {std::array<int, 3>{0, 1, 2}, std::array<int, 3>{0, 2, 3}}) {
+        out << "facet normal 0 0 0\nouter loop\n";
+        for (const int k : t) {
+          const Vec3 x = corner[k].cwiseProduct(half);
+          out << "vertex " << x.x() << ' ' << x.y() << ' ' << x.z() << '\n';
+        }
+        out << "endloop\nendfacet\n";
+      }
+    }
+  }
+  out << "endsolid box\n";
+  return path;
+}
+
+// Slides from tan a = mu on; below it stays where it is. Gravity leans slowly.
+TYPED_TEST(PolyhedraInTheEngine, AFlatBoxSticksBelowTheAngleOfFrictionAndSlidesAbove) {
+  const TempFolder folder;
+  for (const double slope : {0.3, 0.499, 0.52, 0.7, 1.0}) {
+    SCOPED_TRACE(slope);
+    Scene scene = cube_scene();
+    const double a = std::atan(slope);
+    scene.folder.clear();
+    scene.particles[0].meshes = {flat_box(folder)};
+    scene.run.gravity = Vec3(0, 0, -1);
+    add_plane(scene, Vec3::Zero(), Vec3::UnitZ());
+    scene.particles[0].explicit_particles = {cube_at({0, 0, 0.2})};
+    scene.particles[0].explicit_particles[0].diameter = kCubeDiameter * std::cbrt(1.6);
+    World<TypeParam> world = world_of<TypeParam>(scene);
+    Stepper<TypeParam> stepper(world, 1);
+    run_steps(world, stepper, 10000);
+    for (int k = 1; k <= 1000; ++k) {
+      const double lean = a * k / 1000;
+      world.gravity = Vec3(std::sin(lean), 0, -std::cos(lean));
+      run_steps(world, stepper, 10);
+    }
+    run_steps(world, stepper, 1000);
+    const double v = world.polyhedra.vx[0];
+    const int more = 3000;
+    run_steps(world, stepper, more);
+    const double rate = (world.polyhedra.vx[0] - v) / (more * world.clock.dt);
+    if (slope < 0.5) {
+      EXPECT_LT(std::abs(world.polyhedra.vx[0]), 1e-6);
+    } else {
+      EXPECT_NEAR(rate, std::sin(a) - 0.5 * std::cos(a), 1e-3);
+    }
+  }
+}
+
+// A sphere on a face feels the same spring as on a plane. The cube is so large that it does not move.
+TYPED_TEST(PolyhedraInTheEngine, ASphereOnAFaceFeelsAPlane) {
+  double speed[2] = {};
+  for (int k = 0; k < 2; ++k) {
+    Scene scene = cube_scene(1);
+    const double radius = 0.125, overlap = 1e-3;
+    if (k == 0) {
+      scene.particles[0].explicit_particles = {cube_at({0, 0, -8})};
+      scene.particles[0].explicit_particles[0].diameter = 16 * kCubeDiameter;
+    } else {
+      scene.particles.clear();
+      add_plane(scene, Vec3::Zero(), Vec3::UnitZ());
+    }
+    ParticleSpec sphere;
+    sphere.name = "sphere";
+    sphere.material = "ore";
+    sphere.explicit_particles = {{{0.3, 0.2, radius - overlap}, {0, 0, 0}, {0, 0, 0}, 2 * radius}};
+    scene.particles.push_back(sphere);
+    World<TypeParam> world = world_of<TypeParam>(scene);
+    Stepper<TypeParam> stepper(world, 1);
+    run_steps(world, stepper, 1);
+    speed[k] = world.particles.record[0].vz;
+    EXPECT_GT(speed[k], 0);
+  }
+  // The place of the face is right to rounding of a body of 16 m: 16 * 2e-16 over the overlap.
+  EXPECT_NEAR(speed[0] / speed[1], 1, 1e-11);
+}
+
+// Rocks and balls that fly into each other in empty space.
+Scene cloud(double restitution, NormalModel model) {
+  Scene scene = cube_scene(restitution);
+  scene.contact.normal_model = model;
+  scene.particles[0].meshes = {"ore12.stl", "rock_flat_12.stl", "rock_elongated_14.stl"};
+  ParticleSpec balls;
+  balls.name = "ball";
+  balls.material = "ore";
+  unsigned state = 1;
+  const auto draw = [&](double size) {
+    state = state * 1664525u + 1013904223u;
+    return size * (static_cast<double>(state >> 8) / (1 << 23) - 1);
+  };
+  for (int k = 0; k < 27; ++k) {
+    const Vec3 cell(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
+    ExplicitParticle p;
+    p.position = 1.7 * cell;
+    p.diameter = 1;
+    p.velocity = -0.5 * cell + Vec3(draw(0.1), draw(0.1), draw(0.1));
+    p.spin = Vec3(draw(0.5), draw(0.5), draw(0.5));
+    if (k % 3 == 2) {
+      balls.explicit_particles.push_back(p);
+    } else {
+      p.orientation = Turn{Vec3(draw(1), draw(1), draw(1)), draw(3)};
+      scene.particles[0].explicit_particles.push_back(p);
+    }
+  }
+  scene.particles.push_back(balls);
+  return scene;
+}
+
+template <class Real>
+void add_momenta(const World<Real>& world, Vec3& linear, Vec3& angular, double& size) {
+  linear = angular = Vec3::Zero();
+  size = 0;
+  const double dt = world.clock.dt;
+  const auto add = [&](double mass, const Vec3& x, const Vec3& v, const Vec3& spin) {
+    linear += mass * v;
+    // Places are those of the whole step, velocities of the half step before.
+    angular += mass * (x - 0.5 * dt * v).cross(v) + spin;
+    size += mass * v.norm();
+  };
+  const Particles<Real>& p = world.particles;
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    const Record<Real>& r = p.record[k];
+    const double mass = 1 / static_cast<double>(p.traits[k].inverse_mass);
+    const double radius = static_cast<double>(r.radius);
+    add(mass, {r.x, r.y, r.z}, {r.vx, r.vy, r.vz},
+        0.4 * mass * radius * radius * Vec3(p.spin_x[k], p.spin_y[k], p.spin_z[k]));
+  }
+  for (std::size_t k = 0; k < world.polyhedra.size(); ++k) {
+    add(1 / world.polyhedra.inverse_mass[k], world.polyhedra.place(k), world.polyhedra.velocity(k),
+        world.polyhedra.momentum(k));
+  }
+}
+
+TYPED_TEST(PolyhedraInTheEngine, MomentumAndItsMomentAreConserved) {
+  for (const NormalModel model : {NormalModel::kStiffness, NormalModel::kVolume}) {
+    World<TypeParam> world = world_of<TypeParam>(cloud(0.5, model));
+    Stepper<TypeParam> stepper(world, 1);
+    Vec3 linear, angular, linear_now, angular_now;
+    double size, contacts[3] = {0, 0, 0};
+    add_momenta(world, linear, angular, size);
+    for (int k = 0; k < 4000; ++k) {
+      ASSERT_EQ(stepper.step().bits & kFatalBits, 0u);
+      contacts[0] += world.totals.polyhedron_sphere_contacts;
+      contacts[1] += world.totals.polyhedron_pair_contacts;
+      contacts[2] += world.totals.pair_contacts;
+    }
+    add_momenta(world, linear_now, angular_now, size);
+    EXPECT_GT(contacts[0], 100);
+    EXPECT_GT(contacts[1], 100);
+    // Pair forces of spheres are f32 in mixed, but opposite to the last bit; sums are f64. Their
+    // torques on both sides are rounded each for itself: 6e-8 of each, lengths of 1 m.
+    const double eps = sizeof(TypeParam) == 4 ? 1e-7 : 1e-12;
+    EXPECT_LT((linear_now - linear).norm(), 1e-12 * size);
+    EXPECT_LT((angular_now - angular).norm(), eps * size);
+  }
+}
+
+TYPED_TEST(PolyhedraInTheEngine, EnergyIsAccountedForToTheLastContact) {
+  for (const NormalModel model : {NormalModel::kStiffness, NormalModel::kVolume}) {
+    World<TypeParam> world = world_of<TypeParam>(cloud(0.5, model));
+    Stepper<TypeParam> stepper(world, 1);
+    for (int k = 0; k < 4000; ++k) ASSERT_EQ(stepper.step().bits & kFatalBits, 0u);
+    const Ledger& l = world.ledger;
+    const double missing = l.start_kinetic + l.start_elastic - l.kinetic - l.elastic;
+    EXPECT_GT(l.dissipated(), 0.01 * l.start_kinetic);
+    // Free rotation keeps the energy of the half steps' product to (w dt)^2 only.
+    EXPECT_NEAR(l.dissipated() / missing, 1, 1e-3);
+    // The volume model has a potential; what is left is the error of the step.
+    if (model == NormalModel::kVolume) {
+      EXPECT_LT(std::abs(l.model_work), 5e-3 * l.dissipated());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace quern::test
