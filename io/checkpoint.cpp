@@ -76,7 +76,7 @@ class Reader final : public StateVisitor {
   explicit Reader(const Hdf5File& file) : file_(file) {}
 
   void column(const char* name, const char*, ColumnBase& column, std::size_t components) override {
-    const std::string path = kState + "/" + name;
+    const std::string path = path_of(name);
     const ArrayLayout layout = {column.type(), file_.layout(path).rows,
                                 row_components(column.type(), column.element_bytes(), components)};
     if (file_.layout(path) == layout) column.reset(layout.rows * components);
@@ -85,19 +85,28 @@ class Reader final : public StateVisitor {
 
   void values(const char* name, const char*, ElementType type, void* data,
               std::size_t count) override {
-    get(kState + "/" + name, {type, count, 1}, data);
+    get(path_of(name), {type, count, 1}, data);
   }
 
   // Everything in the file must have been asked for.
   void finish() const {
     for (const std::string& name : file_.datasets(kState)) {
       if (!seen_.contains(kState + "/" + name)) {
-        file_.fail("read dataset '" + kState + "/" + name + "'", "this program has no such state");
+        file_.fail("read dataset '" + kState + "/" + name + "'",
+                   "this scene has no such state: the checkpoint is of another scene or version");
       }
     }
   }
 
  private:
+  std::string path_of(const char* name) const {
+    const std::string path = kState + "/" + name;
+    if (!file_.exists(path)) {
+      file_.fail("read dataset '" + path + "'",
+                 "missing: the checkpoint is of another scene or version");
+    }
+    return path;
+  }
   void get(const std::string& path, const ArrayLayout& layout, void* data) {
     seen_.insert(path);
     file_.read(path, layout, data);

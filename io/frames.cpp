@@ -31,12 +31,21 @@ class VtkFile {
     file_.set_attribute("/", "time_unit", "s");
   }
 
-  template <class T>
-  void array(const std::string& name, const std::vector<T>& values, const char* unit,
+  // A dataset for the viewer: below VTKHDF.
+  template <class Values>
+  void array(const std::string& name, const Values& values, const char* unit,
+             std::size_t components = 1) {
+    state("VTKHDF/" + name, values, unit, components);
+  }
+
+  // A dataset for scripts, anywhere.
+  template <class Values>
+  void state(const std::string& path, const Values& values, const char* unit,
              std::size_t components = 1) {
     QUERN_CHECK(values.size() % components == 0);
-    const std::string path = "VTKHDF/" + name;
-    file_.write(path, {element_type_of<T>(), values.size() / components, components},
+    file_.write(path,
+                {element_type_of<typename Values::value_type>(), values.size() / components,
+                 components},
                 values.data());
     file_.set_attribute(path, "unit", unit);
   }
@@ -66,7 +75,7 @@ class VtkFile {
   Hdf5File file_;
 };
 
-std::vector<float> lengths(const std::vector<float>& vectors) {
+std::vector<float> lengths(std::span<const float> vectors) {
   std::vector<float> result(vectors.size() / 3);
   for (std::size_t i = 0; i < result.size(); ++i) {
     result[i] = std::hypot(vectors[3 * i], vectors[3 * i + 1], vectors[3 * i + 2]);
@@ -74,23 +83,78 @@ std::vector<float> lengths(const std::vector<float>& vectors) {
   return result;
 }
 
-void write_particles(const std::string& path, const ParticleFrame& frame) {
+template <class T>
+using Rows = std::span<const T>;
+
+// The first `count` rows of an array with `components` numbers a row, and the rows behind them.
+template <class T>
+Rows<T> first_rows(const std::vector<T>& values, std::size_t count, std::size_t components = 1) {
+  return Rows<T>(values).first(count * components);
+}
+template <class T>
+Rows<T> rows_from(const std::vector<T>& values, std::size_t first, std::size_t components = 1) {
+  return Rows<T>(values).subspan(first * components);
+}
+
+void check_sizes(const ParticleFrame& frame) {
   const std::size_t n = frame.id.size();
-  QUERN_CHECK(frame.position.size() == 3 * n && frame.velocity.size() == 3 * n &&
-              frame.spin.size() == 3 * n && frame.radius.size() == n && frame.species.size() == n &&
-              frame.contacts.size() == n);
+  QUERN_CHECK(frame.spheres <= n && frame.position.size() == 3 * n &&
+              frame.velocity.size() == 3 * n && frame.spin.size() == 3 * n &&
+              frame.radius.size() == n && frame.species.size() == n && frame.contacts.size() == n);
+}
+
+void write_particles(const std::string& path, const ParticleFrame& frame) {
+  const std::size_t n = frame.spheres;
   VtkFile file(path, frame.time);
   std::vector<std::int64_t> points(n);
   std::iota(points.begin(), points.end(), 0);
-  file.array("Points", frame.position, "m", 3);
+  file.array("Points", first_rows(frame.position, n, 3), "m", 3);
   file.cells(kVtkVertex, n, points, 1);
-  file.array("PointData/radius", frame.radius, "m");
-  file.array("PointData/velocity", frame.velocity, "m/s", 3);
-  file.array("PointData/speed", lengths(frame.velocity), "m/s");
-  file.array("PointData/spin", frame.spin, "rad/s", 3);
-  file.array("PointData/id", frame.id, "1");
-  file.array("PointData/species", frame.species, "1");
-  file.array("PointData/contacts", frame.contacts, "1");
+  file.array("PointData/radius", first_rows(frame.radius, n), "m");
+  file.array("PointData/velocity", first_rows(frame.velocity, n, 3), "m/s", 3);
+  file.array("PointData/speed", lengths(first_rows(frame.velocity, n, 3)), "m/s");
+  file.array("PointData/spin", first_rows(frame.spin, n, 3), "rad/s", 3);
+  file.array("PointData/id", first_rows(frame.id, n), "1");
+  file.array("PointData/species", first_rows(frame.species, n), "1");
+  file.array("PointData/contacts", first_rows(frame.contacts, n), "1");
+  file.finish();
+}
+
+// One value a triangle from one value a body.
+template <class Values>
+auto of_triangles(const Values& values, const std::vector<std::uint32_t>& body) {
+  std::vector<typename Values::value_type> result;
+  result.reserve(body.size());
+  for (const std::uint32_t k : body) result.push_back(values[k]);
+  return result;
+}
+
+void write_polyhedra(const std::string& path, const ParticleFrame& all,
+                     const PolyhedronFrame& frame) {
+  const std::size_t n = frame.shape.size(), k = frame.body.size(), first = all.spheres;
+  QUERN_CHECK(all.id.size() == first + n && frame.orientation.size() == 4 * n &&
+              frame.triangle.size() == 3 * k);
+  const Rows<float> velocity = rows_from(all.velocity, first, 3);
+  const Rows<float> spin = rows_from(all.spin, first, 3);
+  VtkFile file(path, all.time);
+  const std::vector<std::int64_t> corners(frame.triangle.begin(), frame.triangle.end());
+  file.array("Points", frame.vertex, "m", 3);
+  file.cells(kVtkTriangle, frame.vertex.size() / 3, corners, 3);
+  file.array("CellData/id", of_triangles(rows_from(all.id, first), frame.body), "1");
+  file.array("CellData/species", of_triangles(rows_from(all.species, first), frame.body), "1");
+  file.array("CellData/contacts", of_triangles(rows_from(all.contacts, first), frame.body), "1");
+  file.array("CellData/speed", of_triangles(lengths(velocity), frame.body), "m/s");
+  file.array("CellData/spin_magnitude", of_triangles(lengths(spin), frame.body), "rad/s");
+
+  file.state("polyhedra/id", rows_from(all.id, first), "1");
+  file.state("polyhedra/species", rows_from(all.species, first), "1");
+  file.state("polyhedra/shape", frame.shape, "1");
+  file.state("polyhedra/equivalent_radius", rows_from(all.radius, first), "m");
+  file.state("polyhedra/position", rows_from(all.position, first, 3), "m", 3);
+  file.state("polyhedra/orientation", frame.orientation, "1", 4);
+  file.state("polyhedra/velocity", velocity, "m/s", 3);
+  file.state("polyhedra/spin", spin, "rad/s", 3);
+  file.state("polyhedra/contacts", rows_from(all.contacts, first), "1");
   file.finish();
 }
 
@@ -119,8 +183,7 @@ bool parse_after(std::string_view line, std::string_view key, T& value) {
 
 FrameWriter::FrameWriter(std::string folder) : folder_(std::move(folder)) {
   make_folder(kWhat, folder_);
-  read_series(particles_);
-  read_series(liner_);
+  for (FileSeries* series : {&particles_, &polyhedra_, &liner_}) read_series(*series);
 }
 
 std::string FrameWriter::frame_path(const FileSeries& series, int number) const {
@@ -165,12 +228,17 @@ void FrameWriter::list(FileSeries& series, int number, double time) const {
                   Durability::kKill);
 }
 
-void FrameWriter::write(int number, const ParticleFrame& particles, const WallFrame& walls) {
+void FrameWriter::write(int number, const ParticleFrame& particles, const WallFrame& walls,
+                        const std::optional<PolyhedronFrame>& polyhedra) {
   QUERN_CHECK(number >= 0);
-  drop_from(particles_, number);
-  drop_from(liner_, number);
+  check_sizes(particles);
+  for (FileSeries* series : {&particles_, &polyhedra_, &liner_}) drop_from(*series, number);
   write_particles(frame_path(particles_, number), particles);
   list(particles_, number, particles.time);
+  if (polyhedra) {
+    write_polyhedra(frame_path(polyhedra_, number), particles, *polyhedra);
+    list(polyhedra_, number, particles.time);
+  }
   if (walls.wall.empty()) return;
   write_liner(frame_path(liner_, number), walls, particles.time);
   list(liner_, number, particles.time);

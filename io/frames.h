@@ -1,11 +1,13 @@
 // FrameWriter: pictures of the run for ParaView, one file a moment, in OUT/frames.
 //
-// particles_000123.hdf (one vertex cell a particle) and liner_000123.hdf (triangles) are VTKHDF 1.0
-// UnstructuredGrid, which is what ParaView 5.11 reads; particles.hdf.series and liner.hdf.series
-// give the times. Files appear by renaming, the series after the frame it lists, so a viewer or a
+// particles_000123.hdf (one vertex cell a sphere), polyhedra_000123.hdf and liner_000123.hdf
+// (triangles) are VTKHDF 1.0 UnstructuredGrid, which is what ParaView 5.11 reads;
+// particles.hdf.series and so on give the times. For scripts, polyhedra_000123.hdf has a group
+// `polyhedra` with one row a body: place, orientation, velocities. Files appear by renaming, the series after the frame it lists, so a viewer or a
 // killed run never meets half a file. Every dataset carries its unit.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,8 +21,9 @@ class FrameWriter {
   explicit FrameWriter(std::string folder);
 
   // Writes frame `number` >= 0. Frames from `number` on that a resumed run has left are deleted.
-  // Without triangles no liner file is written.
-  void write(int number, const ParticleFrame& particles, const WallFrame& walls);
+  // Without triangles no liner file is written; `polyhedra` is absent in a scene that has none.
+  void write(int number, const ParticleFrame& particles, const WallFrame& walls,
+             const std::optional<PolyhedronFrame>& polyhedra = {});
 
  private:
   struct Entry {
@@ -28,7 +31,7 @@ class FrameWriter {
     double time;
   };
   struct FileSeries {
-    std::string name;  // "particles", "liner"
+    std::string name;  // "particles", "polyhedra", "liner"
     std::vector<Entry> entries;
   };
   std::string frame_path(const FileSeries& series, int number) const;
@@ -38,6 +41,7 @@ class FrameWriter {
 
   std::string folder_;
   FileSeries particles_{"particles", {}};
+  FileSeries polyhedra_{"polyhedra", {}};
   FileSeries liner_{"liner", {}};
 };
 

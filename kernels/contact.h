@@ -39,7 +39,7 @@ struct StepConstants {
   double dt;
   bool clamped;   // normal force never pulls
   bool rolling;   // any rolling friction in the table
-  bool periodic;  // any axis
+  bool damped;    // any tangential damping in the table
   double period[3];          // m; 0: not periodic
   double inverse_period[3];  // 1/m; 0: not periodic
 };
@@ -133,12 +133,23 @@ struct MoveTally {
 };
 
 template <class Real>
+struct SphereGroup;
+struct GroupLanes;
+struct BodyContacts;
+
+template <class Real>
 struct Kernels {
   void (*pairs)(const StepConstants<Real>&, const ParticleView<Real>&, const PairView<Real>&,
                 const TileRows&, ContactTally&);
   void (*walls)(const StepConstants<double>&, const ParticleView<Real>&, const WallContacts&,
                 const TileRows&, ContactTally&);
   void (*move)(const MoveView<Real>&, const TileRows&, double dt, MoveTally&);
+  // Of polyhedra, see body_contacts.h.
+  void (*gather_spheres)(const StepConstants<double>&, const ParticleView<Real>&,
+                         const SphereGroup<Real>&, const GroupLanes&);
+  void (*push_spheres)(const StepConstants<double>&, const ParticleView<Real>&,
+                       const SphereGroup<Real>&, const GroupLanes&, const TileRows&, ContactTally&);
+  void (*push_bodies)(const StepConstants<double>&, const BodyContacts&);
   const char* target;
 };
 

@@ -3,6 +3,7 @@
 #define HWY_TARGET_INCLUDE "kernels/contact_double.cpp"
 #include <hwy/foreach_target.h>
 
+#include "kernels/body_contacts-inl.h"
 #include "kernels/integrate-inl.h"
 #include "kernels/pairs/sphere_facet-inl.h"
 #include "kernels/pairs/sphere_sphere-inl.h"
@@ -13,7 +14,7 @@ namespace HWY_NAMESPACE {
 
 Kernels<double> kernels_double() {
   return {&sphere_sphere<double>, &sphere_facet<double>, &move_spheres<double>,
-          hwy::TargetName(HWY_TARGET)};
+          &gather_spheres<double>, &push_spheres<double>, &push_bodies, hwy::TargetName(HWY_TARGET)};
 }
 
 }  // namespace HWY_NAMESPACE

@@ -3,6 +3,7 @@
 #define HWY_TARGET_INCLUDE "kernels/contact_mixed.cpp"
 #include <hwy/foreach_target.h>
 
+#include "kernels/body_contacts-inl.h"
 #include "kernels/integrate-inl.h"
 #include "kernels/pairs/sphere_facet-inl.h"
 #include "kernels/pairs/sphere_sphere-inl.h"
@@ -13,7 +14,7 @@ namespace HWY_NAMESPACE {
 
 Kernels<float> kernels_mixed() {
   return {&sphere_sphere<float>, &sphere_facet<float>, &move_spheres<float>,
-          hwy::TargetName(HWY_TARGET)};
+          &gather_spheres<float>, &push_spheres<float>, &push_bodies, hwy::TargetName(HWY_TARGET)};
 }
 
 }  // namespace HWY_NAMESPACE

@@ -52,7 +52,8 @@ HWY_INLINE void store_records(const Vec3V<hn::Vec<D64>>& x, const Vec3V<hn::Vec<
 }
 
 #if QUERN_ROWS_IN_REGISTERS
-// Eight whole records, turned in registers.
+// Eight whole records, turned in registers; written past the caches, which do not hold them until the
+// next step anyway.
 HWY_INLINE void store_full_records(const Vec3V<hn::Vec<D64>>& x, const Vec3V<hn::Vec<D64>>& v,
                                    const Vec3V<hn::Vec<D64>>& w, hn::Vec<HalfLanes<float>> radius,
                                    Record<float>* to) {
@@ -65,7 +66,7 @@ HWY_INLINE void store_full_records(const Vec3V<hn::Vec<D64>>& x, const Vec3V<hn:
   V64 c[8] = {x.x, x.y, x.z, v.x, v.y, v.z, two_f32(spin.x.raw, spin.y.raw),
               two_f32(spin.z.raw, radius.raw)};
   transpose8(c);
-  for (int k = 0; k < 8; ++k) hn::Store(c[k], D64(), reinterpret_cast<double*>(to + k));
+  for (int k = 0; k < 8; ++k) hn::Stream(c[k], D64(), reinterpret_cast<double*>(to + k));
 }
 #endif
 
@@ -77,7 +78,6 @@ HWY_INLINE void prefetch_block(const MoveView<Real>& m, std::size_t at) {
     hwy::Prefetch(m.list_place[a] + at);
     hwy::Prefetch(m.list_velocity[a] + at);
   }
-  for (std::size_t k = 0; k < hn::Lanes(D64()); ++k) hwy::Prefetch(m.next + at + k);
 }
 
 struct MoveSumV {
@@ -172,6 +172,7 @@ void move_spheres(const MoveView<Real>& m, const TileRows& tile, double dt, Move
     const auto good = hn::And(inside(place.x, 0), hn::And(inside(place.y, 1), inside(place.z, 2)));
     sum.bad = hn::Add(sum.bad, count_if(hn::IfThenZeroElse(good, hn::Set(d, 1))));
   }
+  hwy::FlushStream();
   tally.translational += sum_lanes(sum.translational);
   tally.rotational += sum_lanes(sum.rotational);
   for (int axis = 0; axis < 3; ++axis) {

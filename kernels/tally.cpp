@@ -28,6 +28,18 @@ double numerical_loss_share(const Ledger& l) {
   return l.dissipated() > 0 ? l.numerical_loss / l.dissipated() : 0;
 }
 
+double model_work_share(const Ledger& l) {
+  return l.dissipated() > 0 ? l.model_work / l.dissipated() : 0;
+}
+
+std::vector<TallyRow> tally_rows_of(bool polyhedra) {
+  std::vector<TallyRow> rows;
+  for (const TallyRow& row : tally_rows()) {
+    if (polyhedra || !row.of_polyhedra) rows.push_back(row);
+  }
+  return rows;
+}
+
 const std::vector<TallyRow>& tally_rows() {
   using In = const TallyInput&;
   static const std::vector<TallyRow> rows = {
@@ -71,6 +83,19 @@ const std::vector<TallyRow>& tally_rows() {
        [](In in) { return in.ledger->numerical_loss; }},
       {{"ledger_error", "1", "energy not accounted for, relative"},
        [](In in) { return ledger_error(*in.ledger); }},
+      {{"polyhedron_sphere_contacts", "1", "touching pairs of a polyhedron and a sphere, mean"},
+       [](In in) { return mean(in, in.window->polyhedron_sphere_contacts); },
+       true},
+      {{"polyhedron_pair_contacts", "1", "touching pairs of polyhedra, mean"},
+       [](In in) { return mean(in, in.window->polyhedron_pair_contacts); },
+       true},
+      {{"polyhedron_wall_contacts", "1", "contacts of polyhedra with walls, mean"},
+       [](In in) { return mean(in, in.window->polyhedron_wall_contacts); },
+       true},
+      {{"model_work", "J",
+        "part of the dissipation: work of normal forces of polyhedra, which have no potential"},
+       [](In in) { return in.ledger->model_work; },
+       true},
   };
   return rows;
 }

@@ -16,7 +16,7 @@ namespace quern {
 struct TallyInput {
   double time = 0;       // s
   double mass = 0;       // kg, of all particles
-  double particles = 0;
+  double particles = 0;  // of any shape
   Vec3 gravity = Vec3::Zero();
   const Window* window = nullptr;
   const StepTotals* totals = nullptr;
@@ -26,13 +26,18 @@ struct TallyInput {
 struct TallyRow {
   Quantity quantity;
   double (*value)(const TallyInput&);
+  bool of_polyhedra = false;  // reported of scenes that have polyhedra only
 };
 
 const std::vector<TallyRow>& tally_rows();
+// Those that a scene reports.
+std::vector<TallyRow> tally_rows_of(bool polyhedra);
 
 // |W_wall + W_gravity - change of (K + U) - dissipation| over the largest of them.
 double ledger_error(const Ledger& ledger);
 // Share of the dissipation that is error of the time step.
 double numerical_loss_share(const Ledger& ledger);
+// Work of normal forces of polyhedra that have no potential, over the dissipation; signed.
+double model_work_share(const Ledger& ledger);
 
 }  // namespace quern

@@ -205,6 +205,8 @@ std::vector<std::string> missed_contacts(const World<Real>& world) {
   if (world.clock.list_stale != 0) return faults;
   check_pairs(world, faults);
   check_walls(world, faults);
+  const std::vector<std::string> more = missed_polyhedron_contacts(world);
+  faults.insert(faults.end(), more.begin(), more.end());
   shorten(faults);
   return faults;
 }

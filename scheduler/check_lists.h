@@ -16,9 +16,15 @@
 namespace quern {
 
 // Touching pairs that the tile of i does not list among its own, or that the tile of j, another
-// one, does not import; touching facets that are not among the candidates of the particle.
+// one, does not import; touching facets that are not among the candidates of the particle; and
+// what missed_polyhedron_contacts() finds.
 template <class Real>
 std::vector<std::string> missed_contacts(const World<Real>& world);
+
+// Spheres and polyhedra that touch a polyhedron, or its nearest periodic image, and are not listed;
+// facets that its bounding sphere reaches and that are no candidates; whatever is listed twice.
+template <class Real>
+std::vector<std::string> missed_polyhedron_contacts(const World<Real>& world);
 
 // Cross-tile pairs without exactly one copy in the other tile, or whose copies differ in spring,
 // force or moment. Zeros of either sign are equal: a vector none of whose lanes has anything to do

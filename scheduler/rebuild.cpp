@@ -112,7 +112,7 @@ void wrap_positions(World<Real>& world) {
 template <class Real>
 SearchInput search_input(const World<Real>& world, RebuildScratch<Real>& s) {
   SearchInput in{};
-  in.count = world.particles.size();
+  in.count = s.points.size();
   in.point = s.points.data();
   in.window = static_cast<double>(world.clock.list_window) * world.clock.dt;
   in.slack = world.clock.slack;
@@ -273,7 +273,8 @@ void lay_out_pairs(World<Real>& world, Graph& graph, RebuildScratch<Real>& s) {
   std::swap(world.pairs, s.pairs);
 }
 
-// Largest way a particle can move against a body within the window, beyond the list's slack.
+}  // namespace
+
 double wall_reach(const Body& body, const Vec3& x, const Vec3& v, double time, double span) {
   const Motion& m = body.motion;
   if (m.kind == MotionKind::kFixed) return v.norm() * span;
@@ -284,6 +285,8 @@ double wall_reach(const Body& body, const Vec3& x, const Vec3& v, double time, d
   const double varied = max_rate_change(m, time, span);
   return ((v - carried).norm() + varied * distance) * span + rate * rate * distance * span * span;
 }
+
+namespace {
 
 template <class Real>
 void find_wall_candidates(World<Real>& world, RebuildScratch<Real>& s, std::size_t tile) {
@@ -353,7 +356,8 @@ void adapt_lists(Clock& clock, const ListEnd& end) {
 template <class Real>
 void rebuild(World<Real>& world, Graph& graph, RebuildScratch<Real>& s) {
   const std::size_t n = world.particles.size();
-  if (n == 0) {
+  const bool polyhedra = !world.polyhedra.empty();
+  if (n == 0 && !polyhedra) {
     world.pairs.begin.reset(1);
     world.pairs.begin[0] = 0;
     world.pairs.own_end.reset(0);
@@ -361,24 +365,30 @@ void rebuild(World<Real>& world, Graph& graph, RebuildScratch<Real>& s) {
     return;
   }
   s.points.resize(n);
-  wrap_positions(world);
-  order_particles(world, graph, s);
-  permute_particles(world, graph, s);
-  carry_wall_springs(world, s);
+  if (n > 0) {
+    wrap_positions(world);
+    order_particles(world, graph, s);
+    permute_particles(world, graph, s);
+    carry_wall_springs(world, s);
+  }
+  if (polyhedra) add_points(world, s.points);
 
   const SearchInput in = search_input(world, s);
   build_grid(in, s.grid);
   const std::size_t tiles = world.tiles();
   s.own.resize(tiles);
   s.imported.resize(tiles);
+  if (polyhedra) s.near.resize(tiles);
   graph.for_each(tiles, [&](std::size_t tile, int) {
     s.own[tile].clear();
     const std::size_t first = tile * world.tile_size;
     find_candidates(in, s.grid, static_cast<Index>(first),
                     static_cast<Index>(std::min<std::size_t>(n, first + world.tile_size)),
                     s.own[tile]);
+    if (polyhedra) take_near_spheres(n, s.own[tile], s.near[tile]);
     if (!world.bodies.empty()) find_wall_candidates(world, s, tile);
   });
+  if (polyhedra) rebuild_polyhedra(world, in, s.grid, s.old_of_new, s.near);
   import_pairs(world, s);
   s.own_plan.resize(tiles);
   s.imported_plan.resize(tiles);

@@ -9,6 +9,7 @@
 
 #include "kernels/candidates.h"
 #include "scheduler/graph.h"
+#include "scheduler/polyhedron_lists.h"
 #include "soa/world.h"
 
 namespace quern {
@@ -31,6 +32,7 @@ struct RebuildScratch {
   SearchGrid grid;
   std::vector<std::vector<CandidatePair>> own;       // per tile
   std::vector<std::vector<CandidatePair>> imported;  // per tile
+  std::vector<std::vector<NearSphere>> near;         // per tile, of polyhedra
   std::vector<BlockPlan> own_plan, imported_plan;    // per tile
   Particles<Real> sorted;
   PairBatch<Real> pairs;
@@ -39,6 +41,9 @@ struct RebuildScratch {
 // Throws InvariantError if a position is not finite.
 template <class Real>
 void rebuild(World<Real>& world, Graph& graph, RebuildScratch<Real>& scratch);
+
+// Largest way a particle at x with velocity v can move against a body within the span from `time` on.
+double wall_reach(const Body& body, const Vec3& x, const Vec3& v, double time, double span);
 
 // Chooses the next window and slack from how the last lists ended; a function of the state alone.
 // Wide lists cost every step, short-lived ones cost rebuilds: lists should last some tens of steps.

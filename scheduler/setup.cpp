@@ -321,6 +321,7 @@ void set_stiffness(World<Real>& world, const Scene& scene, double factor) {
   const std::vector<PairValues> pairs = resolve_pairs(scene);
   world.law = law_columns<Real>(scene, pairs, factor);
   world.wall_law = law_columns<double>(scene, pairs, factor);
+  world.patch.volume_stiffness = factor * scene.contact.volume_stiffness.value_or(0);
 }
 
 template <class Real>
@@ -374,6 +375,7 @@ World<Real> make_world(const Scene& scene, SceneGeometry geometry,
   world.clock.fixed_slack = scene.run.list_slack ? 1 : 0;
   world.clock.dt = choose_time_step(scene, all);
   world.pairs.rolling = world.rolling;
+  world.damped = scene.contact.tangential_damping;
   set_stiffness(world, scene, 1);
   append_particles(world, scene, present);
   return world;

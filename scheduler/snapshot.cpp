@@ -1,15 +1,24 @@
 #include "scheduler/snapshot.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace quern {
 
+namespace {
+
+// A place, wrapped into the domain where it is periodic.
 template <class Real>
-ParticleFrame particle_frame(const World<Real>& world) {
-  const Particles<Real>& p = world.particles;
-  const std::size_t n = p.size();
-  ParticleFrame f;
-  f.time = world.moving_walls ? world.time() : -1;
+Vec3 wrapped(const World<Real>& world, Vec3 x) {
+  for (Eigen::Index a = 0; a < 3; ++a) {
+    if (!world.periodic[static_cast<std::size_t>(a)]) continue;
+    const double length = world.high[a] - world.low[a];
+    x[a] -= length * std::floor((x[a] - world.low[a]) / length);
+  }
+  return x;
+}
+
+void resize(ParticleFrame& f, std::size_t n) {
   f.position.resize(3 * n);
   f.velocity.resize(3 * n);
   f.spin.resize(3 * n);
@@ -17,25 +26,86 @@ ParticleFrame particle_frame(const World<Real>& world) {
   f.id.resize(n);
   f.species.resize(n);
   f.contacts.resize(n);
-  for (std::size_t k = 0; k < n; ++k) {
+}
+
+void set_motion(ParticleFrame& f, std::size_t at, const Vec3& x, const Vec3& v, const Vec3& w) {
+  for (std::size_t a = 0; a < 3; ++a) {
+    const Eigen::Index e = static_cast<Eigen::Index>(a);
+    f.position[3 * at + a] = x[e];
+    f.velocity[3 * at + a] = static_cast<float>(v[e]);
+    f.spin[3 * at + a] = static_cast<float>(w[e]);
+  }
+}
+
+}  // namespace
+
+template <class Real>
+ParticleFrame particle_frame(const World<Real>& world) {
+  const Particles<Real>& p = world.particles;
+  const Polyhedra<Real>& q = world.polyhedra;
+  ParticleFrame f;
+  f.time = world.moving_walls ? world.time() : -1;
+  f.spheres = p.size();
+  resize(f, p.size() + q.size());
+  for (std::size_t k = 0; k < p.size(); ++k) {
     const Record<Real>& r = p.record[k];
     const std::size_t at = p.id[k];
-    double x[3] = {r.x, r.y, r.z};
-    for (int a = 0; a < 3; ++a) {
-      if (!world.periodic[static_cast<std::size_t>(a)]) continue;
-      const double length = world.high[a] - world.low[a];
-      x[a] -= length * std::floor((x[a] - world.low[a]) / length);
-    }
-    const double v[3] = {r.vx, r.vy, r.vz}, w[3] = {p.spin_x[k], p.spin_y[k], p.spin_z[k]};
-    for (std::size_t a = 0; a < 3; ++a) {
-      f.position[3 * at + a] = x[a];
-      f.velocity[3 * at + a] = static_cast<float>(v[a]);
-      f.spin[3 * at + a] = static_cast<float>(w[a]);
-    }
+    set_motion(f, at, wrapped(world, {r.x, r.y, r.z}), {r.vx, r.vy, r.vz},
+               {p.spin_x[k], p.spin_y[k], p.spin_z[k]});
     f.radius[at] = static_cast<float>(r.radius);
     f.id[at] = p.id[k];
     f.species[at] = p.species[k];
     f.contacts[at] = static_cast<std::uint16_t>(tag_contacts(p.traits[k].tag));
+  }
+  for (std::size_t k = 0; k < q.size(); ++k) {
+    const std::size_t at = p.size() + k;
+    set_motion(f, at, wrapped(world, q.place(k)), q.velocity(k), q.spin(k));
+    f.radius[at] = static_cast<float>(q.scale[k]);
+    f.id[at] = q.first_id + static_cast<Index>(k);
+    f.species[at] = q.species[k];
+    f.contacts[at] = static_cast<std::uint16_t>(std::min(q.contacts[k], 0xffffu));
+  }
+  return f;
+}
+
+SurfaceFrame shape_surface(const Shape& shape) {
+  SurfaceFrame f;
+  for (std::size_t v = 0; v < shape.vertices; ++v) {
+    for (int a = 0; a < 3; ++a) f.vertex.push_back(shape.vertex(v)[a]);
+  }
+  for (std::size_t face = 0; face < shape.faces; ++face) {
+    const std::size_t first = shape.face_begin[face], last = shape.face_begin[face + 1];
+    for (std::size_t k = first + 1; k + 1 < last; ++k) {
+      for (const std::size_t corner : {first, k, k + 1}) {
+        f.triangle.push_back(shape.face_vertex[corner]);
+      }
+      f.face.push_back(static_cast<std::uint16_t>(face));
+    }
+  }
+  return f;
+}
+
+template <class Real>
+std::optional<PolyhedronFrame> polyhedron_frame(const World<Real>& world) {
+  if (world.shapes.empty()) return std::nullopt;
+  std::vector<SurfaceFrame> surfaces;
+  for (const Shape& shape : world.shapes) surfaces.push_back(shape_surface(shape));
+  const Polyhedra<Real>& q = world.polyhedra;
+  PolyhedronFrame f;
+  for (std::size_t k = 0; k < q.size(); ++k) {
+    const SurfaceFrame& surface = surfaces[q.shape[k]];
+    const std::uint32_t base = static_cast<std::uint32_t>(f.vertex.size() / 3);
+    const Vec3 place = wrapped(world, q.place(k));
+    const Mat3 turn = q.orientation(k).toRotationMatrix();
+    for (std::size_t v = 0; v < surface.vertex.size(); v += 3) {
+      const Vec3 body(surface.vertex[v], surface.vertex[v + 1], surface.vertex[v + 2]);
+      const Vec3 x = place + q.scale[k] * (turn * body);
+      for (int a = 0; a < 3; ++a) f.vertex.push_back(static_cast<float>(x[a]));
+    }
+    for (const std::uint32_t v : surface.triangle) f.triangle.push_back(base + v);
+    f.body.insert(f.body.end(), surface.face.size(), static_cast<std::uint32_t>(k));
+    for (const double c : {q.qw[k], q.qx[k], q.qy[k], q.qz[k]}) f.orientation.push_back(c);
+    f.shape.push_back(q.shape[k]);
   }
   return f;
 }
@@ -67,6 +137,8 @@ WallFrame wall_frame(const World<Real>& world) {
 
 template ParticleFrame particle_frame(const World<float>&);
 template ParticleFrame particle_frame(const World<double>&);
+template std::optional<PolyhedronFrame> polyhedron_frame(const World<float>&);
+template std::optional<PolyhedronFrame> polyhedron_frame(const World<double>&);
 template WallFrame wall_frame(const World<float>&);
 template WallFrame wall_frame(const World<double>&);
 

@@ -1,6 +1,8 @@
 // Snapshots: a World as the plain arrays that files are made of, in order of identity.
 #pragma once
 
+#include <optional>
+
 #include "soa/output.h"
 #include "soa/world.h"
 
@@ -8,6 +10,13 @@ namespace quern {
 
 template <class Real>
 ParticleFrame particle_frame(const World<Real>& world);
+
+// Nothing for a scene without polyhedra.
+template <class Real>
+std::optional<PolyhedronFrame> polyhedron_frame(const World<Real>& world);
+
+// A shape in its body frame, in units of its equivalent radius.
+SurfaceFrame shape_surface(const Shape& shape);
 
 // All walls at their pose now, in the world frame.
 template <class Real>

@@ -41,12 +41,11 @@ void Stepper<Real>::prepare() {
     c.dt = world_.clock.dt;
     c.clamped = world_.clamped;
     c.rolling = world_.rolling;
-    c.periodic = false;
+    c.damped = world_.damped;
     for (std::size_t a = 0; a < 3; ++a) {
       const Eigen::Index e = static_cast<Eigen::Index>(a);
       c.period[a] = world_.periodic[a] ? world_.high[e] - world_.low[e] : 0;
       c.inverse_period[a] = world_.periodic[a] ? 1 / c.period[a] : 0;
-      c.periodic = c.periodic || world_.periodic[a];
     }
   };
   fill(constants_);
@@ -106,8 +105,12 @@ void Stepper<Real>::run_tile(std::size_t tile, int worker) {
                                pairs.numbers.data(),
                                pairs.own_end[tile] - begin,
                                pairs.begin[tile + 1] - begin};
-  kernels_.pairs(constants_, {p.record.data(), p.traits.data()}, view, rows,
-                 totals.pairs);
+  kernels_.pairs(constants_, {p.record.data(), p.traits.data()}, view, rows, totals.pairs);
+  if (bodies_) {
+    const double spheres = totals.pairs.contacts;
+    bodies_->run_tile(tile, worker, rows, totals.pairs);
+    totals.near_bodies = totals.pairs.contacts - spheres;
+  }
 
   MoveView<Real> m{};
   m.now = p.record.data();
@@ -133,6 +136,24 @@ void Stepper<Real>::run_tile(std::size_t tile, int worker) {
   kernels_.move(m, rows, clock.dt, totals.move);
 }
 
+// Stretches of bodies are dear and come first; bodies move when all forces on them are known.
+template <class Real>
+void Stepper<Real>::run_tasks(bool rebuilt) {
+  if (!bodies_ && !world_.polyhedra.empty()) bodies_.emplace(world_, kernels_, graph_.threads());
+  if (bodies_) bodies_->prepare(wall_constants_, rebuilt);
+  const std::size_t stretches = bodies_ ? bodies_->stretches() : 0;
+  graph_.for_each(stretches + world_.tiles(), [&](std::size_t task, int worker) {
+    if (task < stretches) {
+      bodies_->run_stretch(task, worker);
+    } else {
+      run_tile(task - stretches, worker);
+    }
+  });
+  if (!bodies_) return;
+  bodies_->gather();
+  graph_.for_each(stretches, [&](std::size_t k, int) { bodies_->move_stretch(k); });
+}
+
 template <class Real>
 void Stepper<Real>::add_tiles() {
   StepTotals sum;
@@ -141,6 +162,7 @@ void Stepper<Real>::add_tiles() {
   for (std::size_t tile = 0; tile < tile_totals_.size(); ++tile) {
     const TileTotals& t = tile_totals_[tile];
     pairs.add(t.pairs);
+    sum.polyhedron_sphere_contacts += t.near_bodies;
     walls.add(t.walls);
     sum.translational += t.move.translational;
     sum.rotational += t.move.rotational;
@@ -159,6 +181,22 @@ void Stepper<Real>::add_tiles() {
         to.torque[a] += from.torque[a];
       }
       to.work += from.work;
+    }
+  }
+  if (bodies_) {
+    MoveTally move;
+    const double before[2] = {pairs.contacts, walls.contacts};
+    bodies_->add_to(pairs, walls, sum.model_work, move, world_.wall_totals);
+    sum.polyhedron_pair_contacts = pairs.contacts - before[0];
+    sum.polyhedron_wall_contacts = walls.contacts - before[1];
+    sum.translational += move.translational;
+    sum.rotational += move.rotational;
+    sum.drag_loss += move.drag_loss;
+    sum.bad += move.bad;
+    sum.max_deviation2 = std::max(sum.max_deviation2, move.max_deviation2);
+    for (std::size_t a = 0; a < 3; ++a) {
+      sum.momentum[a] += move.momentum[a];
+      sum.moment_of_mass[a] += move.moment_of_mass[a];
     }
   }
   sum.pair_work = pairs.work;
@@ -206,6 +244,7 @@ void Stepper<Real>::account() {
     l.slide += t.slide;
     l.tangential_damping += t.tangential_damping;
     l.numerical_loss += t.numerical_loss;
+    l.model_work += t.model_work;
   }
   Window& w = world_.window;
   w.steps += 1;
@@ -216,6 +255,9 @@ void Stepper<Real>::account() {
   w.elastic += t.elastic;
   w.pair_contacts += t.pair_contacts;
   w.wall_contacts += t.wall_contacts;
+  w.polyhedron_sphere_contacts += t.polyhedron_sphere_contacts;
+  w.polyhedron_pair_contacts += t.polyhedron_pair_contacts;
+  w.polyhedron_wall_contacts += t.polyhedron_wall_contacts;
   w.max_overlap = std::max(w.max_overlap, t.max_overlap);
   w.warnings += t.warnings;
   for (std::size_t a = 0; a < 3; ++a) w.moment_of_mass[a] += t.moment_of_mass[a];
@@ -248,7 +290,7 @@ StepReport Stepper<Real>::step() {
     start = Clock_::now();
   }
   move_walls();
-  graph_.for_each(world_.tiles(), [&](std::size_t tile, int worker) { run_tile(tile, worker); });
+  run_tasks(rebuilds);
   times_.tiles += seconds_since(start);
   start = Clock_::now();
   std::swap(world_.particles.record, world_.particles.record_next);
@@ -270,6 +312,55 @@ StepReport Stepper<Real>::step() {
   return report;
 }
 
+// The first polyhedron whose place is not finite or outside.
+template <class Real>
+void find_outside_body(const World<Real>& world, Offender& found) {
+  const Polyhedra<Real>& p = world.polyhedra;
+  for (std::size_t k = 0; k < p.size() && found.id == kNoIndex; ++k) {
+    const Vec3 x = p.place(k);
+    bool bad = !x.allFinite() || !p.velocity(k).allFinite();
+    for (std::size_t a = 0; a < 3; ++a) {
+      const Eigen::Index e = static_cast<Eigen::Index>(a);
+      bad = bad || (!world.periodic[a] && !(x[e] >= world.low[e] && x[e] <= world.high[e]));
+    }
+    if (!bad) continue;
+    found.id = p.first_id + static_cast<Index>(k);
+    found.position = {x.x(), x.y(), x.z()};
+  }
+}
+
+// The deepest overlap of a polyhedron, over the smaller radius.
+template <class Real>
+void find_deep_body(const World<Real>& world, Offender& found) {
+  const Polyhedra<Real>& p = world.polyhedra;
+  const auto take = [&](std::size_t body, double overlap, double radius) {
+    if (overlap / radius <= found.overlap) return false;
+    found.overlap = overlap / radius;
+    found.id = p.first_id + static_cast<Index>(body);
+    found.position = {p.x[body], p.y[body], p.z[body]};
+    found.partner_is_wall = false;
+    return true;
+  };
+  for (const PolyhedronPair& pair : p.pairs) {
+    if (take(pair.i, pair.overlap, std::min(p.scale[pair.i], p.scale[pair.j]))) {
+      found.partner = p.first_id + pair.j;
+    }
+  }
+  for (const PolyhedronWall& wall : p.walls) {
+    if (!take(wall.particle, wall.overlap, p.scale[wall.particle])) continue;
+    found.partner = wall.wall;
+    found.partner_is_wall = true;
+  }
+  const PolyhedronSphereBatch<Real>& batch = p.spheres;
+  for (std::size_t g = 0; g < batch.polyhedron.size(); ++g) {
+    for (Index slot = batch.begin[g]; slot < batch.begin[g] + batch.count[g]; ++slot) {
+      const double radius = static_cast<double>(world.particles.record[batch.sphere[slot]].radius);
+      if (!take(batch.polyhedron[g], static_cast<double>(batch.number(slot, 9)), radius)) continue;
+      found.partner = world.particles.id[batch.sphere[slot]];
+    }
+  }
+}
+
 template <class Real>
 Offender find_offender(const World<Real>& world, std::uint32_t bits) {
   Offender found;
@@ -278,6 +369,7 @@ Offender find_offender(const World<Real>& world, std::uint32_t bits) {
     found.id = p.id[k];
     found.position = {p.record[k].x, p.record[k].y, p.record[k].z};
   };
+  find_outside_body(world, found);
   for (std::size_t k = 0; k < p.size(); ++k) {
     const Record<Real>& r = p.record[k];
     bool bad = !std::isfinite(r.x + r.y + r.z + r.vx + r.vy + r.vz);
@@ -307,6 +399,7 @@ Offender find_offender(const World<Real>& world, std::uint32_t bits) {
   for (std::size_t t = 0; t < world.tiles(); ++t) {
     world.pairs.for_each(t, PairBatch<Real>::Part::kOwn, look_at);
   }
+  find_deep_body(world, found);
   for (const TileWalls& t : world.tile_walls) {
     for (const WallSpring& s : t.springs) {
       const double overlap = s.overlap / static_cast<double>(p.record[s.particle].radius);

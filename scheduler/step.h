@@ -1,17 +1,19 @@
 // Stepper: one step of a run, as a list of stages.
 //
 //   lists stale? rebuild -> move walls -> tiles { wall contacts, pair contacts, move, tally }
-//   -> swap -> add up tiles in order -> ledger
+//   -> swap -> add up tiles in order -> ledger; polyhedra: scheduler/polyhedron_step.h
 //
 // What each stage reads and writes is in scheduler/README.md. The stepper owns scratch only: all
 // state is in the World, and the result does not depend on the number of threads.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "kernels/contact.h"
 #include "kernels/wall_contacts.h"
 #include "scheduler/graph.h"
+#include "scheduler/polyhedron_step.h"
 #include "scheduler/rebuild.h"
 #include "soa/world.h"
 
@@ -40,6 +42,7 @@ class Stepper {
   };
   struct TileTotals {
     ContactTally pairs, walls;
+    double near_bodies = 0;  // contacts among `pairs` of spheres with polyhedra
     MoveTally move;
   };
 
@@ -47,6 +50,7 @@ class Stepper {
   void move_walls();
   void run_tile(std::size_t tile, int worker);
   void run_walls(std::size_t tile, Worker& worker, const TileRows& rows);
+  void run_tasks(bool rebuilt);
   void add_tiles();
   void account();
   StepReport judge() const;
@@ -60,6 +64,7 @@ class Stepper {
   std::vector<Worker> workers_;
   std::vector<TileTotals> tile_totals_;
   std::vector<WallTotal> tile_walls_;  // tiles x walls
+  std::optional<BodyStepper<Real>> bodies_;
   StageTimes times_;
 };
 

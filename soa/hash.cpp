@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstddef>
+#include <cstring>
 #include <vector>
 
 namespace quern {
@@ -88,6 +90,76 @@ void add_walls(const World<Real>& world, Hasher& h) {
   }
 }
 
+// A row that is saved as bytes, from byte `first` on.
+template <class Row>
+void add_words(const Row& row, std::size_t first, Hasher& h) {
+  static_assert(sizeof(Row) % 8 == 0);
+  std::uint64_t words[sizeof(Row) / 8];
+  std::memcpy(words, static_cast<const void*>(&row), sizeof(Row));
+  for (std::size_t k = first / 8; k < std::size(words); ++k) h.add(words[k]);
+}
+
+template <class Real>
+void add_polyhedra(const Polyhedra<Real>& p, Hasher& h) {
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    h.add(p.place(k));
+    h.add(p.velocity(k));
+    for (const double v : {p.qw[k], p.qx[k], p.qy[k], p.qz[k]}) h.add(v);
+    h.add(p.momentum(k));
+    h.add(p.scale[k]);
+    h.add(std::uint64_t{p.shape[k]} << 32 | p.material[k]);
+    h.add(std::uint64_t{p.contacts[k]});
+  }
+}
+
+bool is_open(const PolyhedronPair& pair) {
+  return pair.touching != 0 || pair.force != Vec3::Zero() || pair.spring != Vec3::Zero() ||
+         pair.moment != Vec3::Zero();
+}
+
+template <class Real>
+void add_polyhedron_pairs(const Polyhedra<Real>& p, Hasher& h) {
+  std::vector<Key> keys;
+  for (std::size_t k = 0; k < p.pairs.size(); ++k) {
+    if (!is_open(p.pairs[k])) continue;
+    keys.push_back({p.pairs[k].j, p.pairs[k].i, static_cast<Index>(k), 0});
+  }
+  std::sort(keys.begin(), keys.end());
+  for (const Key& key : keys) {
+    h.add(key.a << 32 | key.b);
+    h.add(std::uint64_t{p.pairs[key.slot].touching});
+    add_words(p.pairs[key.slot], offsetof(PolyhedronPair, spring), h);  // behind the cached axis
+  }
+}
+
+template <class Real>
+void add_polyhedron_walls(const Polyhedra<Real>& p, Hasher& h) {
+  std::vector<Key> keys;
+  for (std::size_t k = 0; k < p.walls.size(); ++k) {
+    const WallSpring& s = p.walls[k];
+    keys.push_back({s.particle, std::uint64_t{s.wall} << 32 | s.feature, static_cast<Index>(k), 0});
+  }
+  std::sort(keys.begin(), keys.end());
+  for (const Key& key : keys) add_words(p.walls[key.slot], 0, h);
+}
+
+template <class Real>
+void add_polyhedron_spheres(const World<Real>& world, Hasher& h) {
+  const PolyhedronSphereBatch<Real>& batch = world.polyhedra.spheres;
+  std::vector<Key> keys;
+  for (std::size_t g = 0; g < batch.polyhedron.size(); ++g) {
+    for (Index slot = batch.begin[g]; slot < batch.begin[g] + batch.count[g]; ++slot) {
+      if (!batch.is_open(slot)) continue;
+      keys.push_back({batch.polyhedron[g], world.particles.id[batch.sphere[slot]], slot, 0});
+    }
+  }
+  std::sort(keys.begin(), keys.end());
+  for (const Key& key : keys) {
+    h.add(key.a << 32 | key.b);
+    for (std::size_t k = 0; k < batch.kHistory; ++k) h.add(batch.number(key.slot, k));
+  }
+}
+
 }  // namespace
 
 template <class Real>
@@ -107,6 +179,12 @@ std::uint64_t state_hash(const World<Real>& world) {
                          l.tangential_damping, l.numerical_loss}) {
     h.add(v);
   }
+  if (world.shapes.empty()) return h.result();
+  add_polyhedra(world.polyhedra, h);
+  add_polyhedron_pairs(world.polyhedra, h);
+  add_polyhedron_walls(world.polyhedra, h);
+  add_polyhedron_spheres(world, h);
+  h.add(l.model_work);
   return h.result();
 }
 

@@ -11,16 +11,27 @@
 
 namespace quern {
 
-// One moment of the charge. Vectors are n x 3, row-major.
+// One moment of the charge: the spheres, then the polyhedra, both in order of identity. Vectors are
+// n x 3, row-major.
 struct ParticleFrame {
   double time = 0;                   // s after the mill starts; negative while settling
+  std::size_t spheres = 0;           // the first so many; all others are polyhedra
   std::vector<double> position;      // m
-  std::vector<float> radius;         // m
+  std::vector<float> radius;         // m; of a polyhedron: of the sphere of equal volume
   std::vector<float> velocity;       // m/s
   std::vector<float> spin;           // rad/s
-  std::vector<std::uint32_t> id;     // 0 ... n-1
+  std::vector<std::uint32_t> id;     // for life
   std::vector<std::uint16_t> species;   // row of the scene's [[particles]]
   std::vector<std::uint16_t> contacts;  // touching partners, walls included
+};
+
+// The polyhedra at the same moment, in the order of ParticleFrame, as what is seen of them.
+struct PolyhedronFrame {
+  std::vector<double> orientation;      // n x 4, w x y z, body to world
+  std::vector<std::uint32_t> shape;     // n: row of the world's shapes
+  std::vector<float> vertex;            // m x 3, world frame
+  std::vector<std::uint32_t> triangle;  // k x 3
+  std::vector<std::uint32_t> body;      // k: which of the n
 };
 
 // The walls at the same moment, in the world frame.
@@ -31,7 +42,7 @@ struct WallFrame {
   std::vector<float> speed;             // k: of the triangle's centre, m/s
 };
 
-// One body alone, its triangles coloured by the face they belong to.
+// One body alone, with the face that each of its triangles belongs to.
 struct SurfaceFrame {
   std::vector<double> vertex;           // m x 3
   std::vector<std::uint32_t> triangle;  // k x 3

@@ -71,9 +71,19 @@ struct PolyhedronPair {
   Vec3 arm_i = Vec3::Zero();    // contact point from the place of i, m
   Vec3 arm_j = Vec3::Zero();    // and of j
   double overlap = 0;           // m
-  double elastic_force = 0;     // N, at full stiffness
+  double elastic_force = 0;     // N, of the normal spring, before damping's reduction
+  double stored = 0;            // J, likewise
+  Vec3 couple = Vec3::Zero();   // N m on i, of the volume model, likewise
 };
-static_assert(sizeof(PolyhedronPair) == 8 + 24 + 6 * 24 + 16, "saved as bytes: no hidden padding");
+static_assert(sizeof(PolyhedronPair) == 8 + 24 + 7 * 24 + 24, "saved as bytes: no hidden padding");
+
+// An open contact of a polyhedron with a wall; `particle` is the body, `moment` the patch's.
+struct PolyhedronWall : WallSpring {
+  double elastic_force = 0, stored = 0;  // as above
+  Vec3 couple = Vec3::Zero();
+  Vec3 arm = Vec3::Zero();  // contact point from the place of the body, m
+};
+static_assert(sizeof(PolyhedronWall) == sizeof(WallSpring) + 64, "saved as bytes");
 
 // Spheres near polyhedra. Groups of a tile: [tile_begin[t] .. tile_begin[t+1]); group g holds `count[g]`
 // spheres in slots [begin[g] .. begin[g+1]), padded to kShapePad by repeating the first sphere.
@@ -82,6 +92,7 @@ static_assert(sizeof(PolyhedronPair) == 8 + 24 + 6 * 24 + 16, "saved as bytes: n
 template <class Real>
 struct PolyhedronSphereBatch {
   static constexpr std::size_t kHistory = 13;
+  static constexpr std::size_t kForceEnd = 6, kOverlap = 9;
   Column<Index> tile_begin, polyhedron, count, begin, sphere;
   Column<Real> numbers;
   Column<double> sums;  // kSums a group: force and torque on the polyhedron, contacts; not saved
@@ -92,6 +103,13 @@ struct PolyhedronSphereBatch {
   }
   Real number(std::size_t slot, std::size_t k) const {
     return numbers[(slot / kShapePad * kHistory + k) * kShapePad + slot % kShapePad];
+  }
+  // Touching, or with a last force whose work is still to be booked.
+  bool is_open(std::size_t slot) const {
+    for (std::size_t k = 0; k < kForceEnd; ++k) {
+      if (number(slot, k) != 0) return true;
+    }
+    return number(slot, kOverlap) > 0;
   }
   void visit(StateVisitor& v) {
     v.column("polyhedra/spheres/tile_begin", "1", tile_begin, 1);
@@ -111,7 +129,7 @@ struct Polyhedra {
   QUERN_POLYHEDRON_FIELDS(QUERN_DECLARE)
 #undef QUERN_DECLARE
   std::vector<PolyhedronPair> pairs;   // sorted by (j, i)
-  std::vector<WallSpring> walls;       // open contacts, by body; WallSpring::particle is the body
+  std::vector<PolyhedronWall> walls;   // open contacts, by body
   std::vector<Index> wall_candidate_begin, wall_candidate_body, wall_candidate_facet_begin,
       wall_candidate_facet;  // entries of body k: [wall_candidate_begin[k] .. [k+1]), one a wall body
   PolyhedronSphereBatch<Real> spheres;

@@ -75,6 +75,8 @@ struct StepTotals {
   double translational = 0, rotational = 0, drag_loss = 0;
   std::array<double, 3> momentum{}, moment_of_mass{};
   double max_deviation2 = 0, bad = 0;
+  // Of pair_contacts and wall_contacts, those of polyhedra.
+  double polyhedron_sphere_contacts = 0, polyhedron_pair_contacts = 0, polyhedron_wall_contacts = 0;
 };
 
 // The energy account since it was opened; see scheduler/README.md.
@@ -97,6 +99,7 @@ struct Window {
   double translational = 0, rotational = 0, elastic = 0;
   double pair_contacts = 0, wall_contacts = 0, max_overlap = 0, warnings = 0;
   std::array<double, 3> moment_of_mass{};
+  double polyhedron_sphere_contacts = 0, polyhedron_pair_contacts = 0, polyhedron_wall_contacts = 0;
 };
 
 enum class Phase : std::uint32_t { kSoft, kStiffen, kRelax, kSettle, kRun };
@@ -128,7 +131,7 @@ struct World {
   Index materials = 1;
   LawColumns<Real> law;
   LawColumns<double> wall_law;
-  bool clamped = true, rolling = false;
+  bool clamped = true, rolling = false, damped = true;
   std::vector<Wall> walls;
   std::vector<Body> bodies;
   double total_mass = 0;
@@ -148,6 +151,7 @@ struct World {
   Window window;
   Clock clock;
 
+  std::size_t bodies_of_charge() const { return particles.size() + polyhedra.size(); }
   std::size_t tiles() const { return (particles.size() + tile_size - 1) / tile_size; }
   // t = 0 when the walls start to move; settling has its own clock before it.
   double time() const { return static_cast<double>(clock.step) * clock.dt; }

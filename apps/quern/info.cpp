@@ -8,6 +8,7 @@
 #include "kernels/tally.h"
 #include "soa/catalog.h"
 #include "soa/fields.h"
+#include "soa/polyhedra.h"
 
 namespace quern {
 
@@ -33,11 +34,13 @@ int info_command() {
 #define QUERN_PRINT(type, name, unit, doc) \
   log_info(fmt::format("{:<16} {:<22} {:<22} {}", #name, #type, unit, doc));
   QUERN_PARTICLE_FIELDS(QUERN_PRINT)
+  log_info("\nPolyhedron fields");
+  QUERN_POLYHEDRON_FIELDS(QUERN_PRINT)
 #undef QUERN_PRINT
   log_info("\nTallies (series in run.h5)");
   for (const TallyRow& row : tally_rows()) {
-    log_info(fmt::format("{:<24} {:<6} {}", row.quantity.name, row.quantity.unit,
-                         row.quantity.doc));
+    log_info(fmt::format("{:<26} {:<6} {}{}", row.quantity.name, row.quantity.unit,
+                         row.quantity.doc, row.of_polyhedra ? " (scenes with polyhedra)" : ""));
   }
   log_info("\nScene keys");
   for (const SceneKey& key : scene_keys()) {

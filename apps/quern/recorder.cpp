@@ -17,9 +17,15 @@ namespace quern {
 
 namespace {
 
-std::vector<Quantity> series_quantities(const std::vector<Wall>& walls) {
+bool any_polyhedra(const Scene& scene) {
+  return std::any_of(scene.particles.begin(), scene.particles.end(),
+                     [](const ParticleSpec& species) { return has_polyhedra(species); });
+}
+
+std::vector<Quantity> series_quantities(const std::vector<TallyRow>& tallies,
+                                        const std::vector<Wall>& walls) {
   std::vector<Quantity> all;
-  for (const TallyRow& row : tally_rows()) all.push_back(row.quantity);
+  for (const TallyRow& row : tallies) all.push_back(row.quantity);
   for (const Wall& wall : walls) {
     for (const char* axis : {"x", "y", "z"}) {
       all.push_back({fmt::format("walls/{}/force_{}", wall.name, axis), "N",
@@ -40,7 +46,7 @@ TallyInput tally_input(const World<Real>& world) {
   TallyInput in;
   in.time = world.time();
   in.mass = world.total_mass;
-  in.particles = static_cast<double>(world.particles.size());
+  in.particles = static_cast<double>(world.bodies_of_charge());
   in.gravity = world.gravity;
   in.window = &world.window;
   in.totals = &world.totals;
@@ -94,7 +100,8 @@ Recorder::Recorder(const std::string& folder, const Scene& scene, double dt,
     : folder_(folder),
       scene_(scene),
       record_from_(record_start(scene)),
-      series_(folder + "/run.h5", series_quantities(walls),
+      tallies_(tally_rows_of(any_polyhedra(scene))),
+      series_(folder + "/run.h5", series_quantities(tallies_, walls),
               resumed_at ? SeriesMode::kAppend : SeriesMode::kNew) {
   const double every = scene.output.series_every > 0 ? scene.output.series_every
                                                      : run_duration(scene, dt) / 1000;
@@ -123,7 +130,7 @@ void Recorder::after_step(World<Real>& world) {
   if (step % series_steps_ == 0) {
     const TallyInput in = tally_input(world);
     std::vector<double> row;
-    for (const TallyRow& tally : tally_rows()) row.push_back(tally.value(in));
+    for (const TallyRow& tally : tallies_) row.push_back(tally.value(in));
     for (const WallTotal& wall : world.wall_totals) {
       row.insert(row.end(), wall.force.begin(), wall.force.end());
       row.insert(row.end(), wall.torque.begin(), wall.torque.end());
@@ -136,7 +143,7 @@ void Recorder::after_step(World<Real>& world) {
   }
   if (frame_steps_ > 0 && step % frame_steps_ == 0) {
     frames_->write(static_cast<int>(step / frame_steps_), particle_frame(world),
-                   wall_frame(world));
+                   wall_frame(world), polyhedron_frame(world));
   }
   if (charge_ && charge_->due(step)) charge_->take(step, particle_frame(world), series_);
 }
@@ -144,7 +151,7 @@ void Recorder::after_step(World<Real>& world) {
 template <class Real>
 void Recorder::write_summary(World<Real>& world, const RunFigures& figures) {
   Summary s;
-  const double n = static_cast<double>(world.particles.size());
+  const double n = static_cast<double>(world.bodies_of_charge());
   const std::vector<double> time = series_.read("time");
   const auto first = static_cast<std::size_t>(
       std::upper_bound(time.begin(), time.end(), record_from_ + 1e-9) - time.begin());
@@ -152,7 +159,9 @@ void Recorder::write_summary(World<Real>& world, const RunFigures& figures) {
     const std::vector<double> all = series_.read(name);
     return block_mean(std::span(all).subspan(std::min(first, all.size())));
   };
-  s.set("particles", world.particles.size());
+  s.set("particles", world.bodies_of_charge());
+  s.set("spheres", world.particles.size());
+  s.set("polyhedra", world.polyhedra.size());
   s.set("steps", world.clock.step);
   s.set("time_s", world.time());
   s.set("finished", figures.finished);
@@ -170,6 +179,12 @@ void Recorder::write_summary(World<Real>& world, const RunFigures& figures) {
   s.set_mean("elastic_energy_J", recorded("elastic_energy"));
   s.set_mean("potential_energy_J", recorded("potential_energy"));
   s.set_mean("contacts_per_particle", recorded("contacts_per_particle"));
+  if (!world.shapes.empty()) {
+    for (const char* name : {"polyhedron_sphere_contacts", "polyhedron_pair_contacts",
+                             "polyhedron_wall_contacts"}) {
+      s.set_mean(name, recorded(name));
+    }
+  }
   for (const char* axis : {"x", "y", "z"}) {
     s.set_mean(fmt::format("center_of_mass_{}_m", axis),
                recorded(fmt::format("center_of_mass_{}", axis).c_str()));
@@ -184,6 +199,10 @@ void Recorder::write_summary(World<Real>& world, const RunFigures& figures) {
   s.set("dissipation_normal_J", l.normal_damping());
   s.set("dissipation_sliding_J", l.slide);
   s.set("dissipation_tangential_J", l.tangential_damping);
+  if (!world.shapes.empty()) {
+    s.set("model_work_J", l.model_work);
+    s.set("model_work_share", model_work_share(l));
+  }
   s.set("stored_energy_change_J", l.kinetic + l.elastic - l.start_kinetic - l.start_elastic);
   s.set("ledger_error", ledger_error(l));
   s.set("numerical_loss", numerical_loss_share(l));
@@ -206,15 +225,41 @@ void Recorder::write_summary(World<Real>& world, const RunFigures& figures) {
   s.set("version", QUERN_VERSION);
   s.set("commit", QUERN_COMMIT);
   s.write(folder_ + "/summary.json");
+  write_tables(world, f);
+}
+
+template <class Real>
+void Recorder::write_tables(const World<Real>& world, const ParticleFrame& f) {
   const std::vector<TableColumn> columns = {
-      table_column<double>({"position", "m", "centre"}, f.position, 3),
+      table_column<double>({"position", "m", "centre of mass"}, f.position, 3),
       table_column<float>({"velocity", "m/s", "half-step velocity"}, f.velocity, 3),
       table_column<float>({"spin", "rad/s", "half-step spin"}, f.spin, 3),
-      table_column<float>({"radius", "m", "radius"}, f.radius),
+      table_column<float>({"radius", "m", "radius; of a polyhedron: of the sphere of its volume"},
+                          f.radius),
       table_column<std::uint32_t>({"id", "1", "identity"}, f.id),
       table_column<std::uint16_t>({"species", "1", "row of [[particles]]"}, f.species),
       table_column<std::uint16_t>({"contacts", "1", "touching partners, walls included"}, f.contacts)};
   series_.write_table("final_particles", columns);
+  const std::optional<PolyhedronFrame> p = polyhedron_frame(world);
+  if (!p) return;
+  const std::span<const std::uint32_t> id = std::span(f.id).subspan(f.spheres);
+  const TableColumn polyhedra[] = {
+      table_column<std::uint32_t>({"id", "1", "identity"}, id),
+      table_column<std::uint32_t>({"shape", "1", "row of /shapes"}, p->shape),
+      table_column<double>({"orientation", "1", "quaternion w x y z, body to world"},
+                           p->orientation, 4)};
+  series_.write_table("final_polyhedra", polyhedra);
+  for (std::size_t k = 0; k < world.shapes.size(); ++k) {
+    const SurfaceFrame surface = shape_surface(world.shapes[k]);
+    const TableColumn columns_of_shape[] = {
+        table_column<double>({"vertex", "1", "body frame, over the equivalent radius"},
+                             surface.vertex, 3),
+        table_column<std::uint32_t>({"triangle", "1", "rows of vertex, counterclockwise"},
+                                    surface.triangle, 3),
+        table_column<std::uint16_t>({"face", "1", "of each triangle"}, surface.face)};
+    series_.write_table(fmt::format("shapes/{}", k), columns_of_shape);
+    series_.text(fmt::format("shapes/{}/name", k), world.shapes[k].name);
+  }
 }
 
 template void Recorder::after_step(World<float>&);

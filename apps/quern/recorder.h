@@ -43,9 +43,13 @@ class Recorder {
   const std::optional<ChargeRecorder>& charge() const { return charge_; }
 
  private:
+  template <class Real>
+  void write_tables(const World<Real>& world, const ParticleFrame& frame);
+
   std::string folder_;
   Scene scene_;
   double record_from_ = 0;
+  std::vector<TallyRow> tallies_;
   std::uint64_t series_steps_ = 1, frame_steps_ = 0;
   SeriesWriter series_;
   std::optional<FrameWriter> frames_;

@@ -17,6 +17,8 @@
 #define QUERN_LINEAR_SPRING_DASHPOT_INL_H_
 #endif
 
+#include <type_traits>
+
 #include "kernels/contact.h"
 #include "kernels/simd-inl.h"
 
@@ -47,15 +49,15 @@ HWY_INLINE CoefficientsV<hn::Vec<Lanes<Real>>> load_coefficients(
           hn::GatherIndex(d, law.rolling_friction, row)};
 }
 
-// What a pair type knows of its contacts; a wall is j with inverse mass 0, arm 0 and the velocity of
-// its contact point.
+// What a pair type knows of its contacts; a wall is j with inverse mass 0 and the velocity of its
+// contact point.
 template <class V>
 struct TouchV {
   Vec3V<V> normal, normal_old;       // unit, from j to i
   V overlap, overlap_old;            // m
-  Vec3V<V> velocity;                 // of i - of j, without spin
+  V normal_velocity;                 // m/s, < 0 on approach
+  Vec3V<V> at_point, at_old;         // m/s, of i - of j at the contact point; with the arms of a step ago
   Vec3V<V> spin_i, spin_j;           // rad/s
-  V arm_i, arm_j, arm_i_old, arm_j_old;  // m, centre to contact point
   V inverse_mass;                    // 1/m_e
   V count_rate;                      // Z_i/m_i + Z_j/m_j
   V contacts;                        // Z_i + Z_j
@@ -68,11 +70,22 @@ struct HistoryV {
   Vec3V<V> spring, force, moment;
 };
 
+// What bodies that are no spheres have besides: their tangential mobility is not 3.5/m, and the
+// spring force need not be stiffness times overlap.
+template <class V>
+struct BodyTouchV : TouchV<V> {
+  V tangential_inverse;     // 1/m_t = sum of 1/m + r^2/I
+  V tangential_count_rate;  // sum of Z (1/m + r^2/I)
+  V elastic_force;          // N, at full stiffness
+  V stored;                 // J, of that force
+};
+
 // Everything a contact did in this step; masked lanes are zero.
 template <class V>
 struct ResponseV {
   Vec3V<V> force, tangential, moment, spring;
   V work, elastic, slide, tangential_damping, numerical_loss;
+  V reduction;  // kn' / kn
 };
 
 // Turns the tangential spring with the contact: the rotation that takes the old normal to the new
@@ -92,9 +105,11 @@ HWY_INLINE Vec3V<V> carry_spring(const Vec3V<V>& spring, const TouchV<V>& t, V d
   return add_scaled(scale(shorten, carried), angle, cross(n, carried));
 }
 
-template <class Real, class V = hn::Vec<Lanes<Real>>, class M = hn::Mask<Lanes<Real>>>
+// Touch is TouchV for spheres (I = 2/5 m r^2 on both sides) and walls, BodyTouchV for other bodies.
+template <class Real, class Touch, class V = hn::Vec<Lanes<Real>>, class M = hn::Mask<Lanes<Real>>>
 HWY_INLINE ResponseV<V> respond(const StepConstants<Real>& step, const CoefficientsV<V>& k,
-                                const TouchV<V>& t, const HistoryV<V>& old, M touching) {
+                                const Touch& t, const HistoryV<V>& old, M touching) {
+  constexpr bool kBodies = std::is_same_v<Touch, BodyTouchV<V>>;
   const Lanes<Real> d;
   const V zero = hn::Zero(d), one = hn::Set(d, 1), half = hn::Set(d, Real(0.5));
   const V dt = hn::Set(d, static_cast<Real>(step.dt));
@@ -104,27 +119,33 @@ HWY_INLINE ResponseV<V> respond(const StepConstants<Real>& step, const Coefficie
 
   // Rates of the dashpots and the effective constants.
   const V root_mass = hn::Div(one, hn::Sqrt(t.inverse_mass));
-  const V cn = hn::Mul(k.an, root_mass), ct = hn::Mul(k.at, root_mass);
+  const V cn = hn::Mul(k.an, root_mass);
   const V rate_n = hn::Mul(half_dt, hn::Mul(cn, t.inverse_mass));
-  const V rate_t = hn::Mul(half_dt, hn::Mul(hn::Mul(ct, t.inverse_mass), spheres));
   const V crowd = hn::Max(one, hn::Mul(t.count_rate, hn::Mul(root_mass, root_mass)));
+  V ct = hn::Mul(k.at, root_mass), inverse_mt = hn::Mul(t.inverse_mass, spheres), crowd_of_t = crowd;
+  if constexpr (kBodies) {
+    inverse_mt = t.tangential_inverse;
+    const V mt = hn::Div(one, inverse_mt);
+    ct = hn::Mul(k.at, hn::Sqrt(hn::Mul(spheres, mt)));
+    crowd_of_t = hn::Max(one, hn::Mul(t.tangential_count_rate, mt));
+  }
+  const V rate_t = hn::Mul(half_dt, hn::Mul(ct, inverse_mt));
   // Four quotients by one division: all divisors are of order one.
   const V pair_n = hn::Add(one, rate_n), pair_t = hn::Add(one, rate_t);
-  const V crowd_n = hn::MulAdd(rate_n, crowd, one), crowd_t = hn::MulAdd(rate_t, crowd, one);
+  const V crowd_n = hn::MulAdd(rate_n, crowd, one), crowd_t = hn::MulAdd(rate_t, crowd_of_t, one);
   const V pairs = hn::Mul(pair_n, pair_t), crowds = hn::Mul(crowd_n, crowd_t);
   const V inverse = hn::Div(one, hn::Mul(pairs, crowds));
   const V inverse_pairs = hn::Mul(inverse, crowds), inverse_crowds = hn::Mul(inverse, pairs);
-  const V kn = hn::Mul(k.kn, hn::Mul(inverse_pairs, pair_t));
+  ResponseV<V> r;
+  r.reduction = hn::Mul(inverse_pairs, pair_t);
+  const V kn = hn::Mul(k.kn, r.reduction);
   const V kt = hn::Mul(k.kt, hn::Mul(inverse_pairs, pair_n));
   const V cn_bound = hn::Mul(cn, hn::Mul(inverse_crowds, crowd_t));
   const V ct_bound = hn::Mul(ct, hn::Mul(inverse_crowds, crowd_n));
 
-  // Relative velocity at the contact point.
   const Vec3V<V>& n = t.normal;
-  const Vec3V<V> rim = add_scaled(scale(t.arm_i, t.spin_i), t.arm_j, t.spin_j);
-  const V vn = dot(n, t.velocity);
-  const Vec3V<V> at_point = t.velocity - cross(rim, n);
-  const Vec3V<V> vt = add_scaled(at_point, hn::Neg(dot(n, at_point)), n);
+  const V vn = t.normal_velocity;
+  const Vec3V<V> vt = add_scaled(t.at_point, hn::Neg(dot(n, t.at_point)), n);
 
   // Normal force.
   const V closing = hn::Neg(hn::Mul(vn, dt));
@@ -133,7 +154,9 @@ HWY_INLINE ResponseV<V> respond(const StepConstants<Real>& step, const Coefficie
   if (step.clamped) {
     weight = hn::IfThenElse(fresh, hn::Add(half, hn::Div(t.overlap, hn::Max(closing, tiny))), one);
   }
-  V fn = hn::NegMulAdd(hn::Mul(weight, cn_bound), vn, hn::Mul(kn, t.overlap));
+  V spring_n = hn::Mul(kn, t.overlap);
+  if constexpr (kBodies) spring_n = hn::Mul(r.reduction, t.elastic_force);
+  V fn = hn::NegMulAdd(hn::Mul(weight, cn_bound), vn, spring_n);
   if (step.clamped) fn = hn::Max(zero, fn);
   fn = hn::IfThenElseZero(touching, fn);
 
@@ -151,7 +174,6 @@ HWY_INLINE ResponseV<V> respond(const StepConstants<Real>& step, const Coefficie
   const V cut = hn::IfThenElse(slides, hn::Mul(cap_over_both, size_b), one);
   const V spring_cut = hn::IfThenElse(hn::And(slides, hn::Gt(spring_force, cap)),
                                       hn::Mul(cap_over_both, size_a), one);
-  ResponseV<V> r;
   r.tangential = scale(cut, trial);
   r.spring = scale(spring_cut, spring_trial);
   r.force = add_scaled(r.tangential, fn, n);
@@ -167,14 +189,14 @@ HWY_INLINE ResponseV<V> respond(const StepConstants<Real>& step, const Coefficie
   }
 
   // Ledger: exact work of old and new force over the step, see scheduler/README.md.
-  const Vec3V<V> rim_old = add_scaled(scale(t.arm_i_old, t.spin_i), t.arm_j_old, t.spin_j);
-  const Vec3V<V> at_old = t.velocity - cross(rim_old, t.normal_old);
-  r.work = hn::MulAdd(half_dt, dot(old.force, at_old), hn::Mul(half_dt, dot(r.force, at_point)));
+  r.work =
+      hn::MulAdd(half_dt, dot(old.force, t.at_old), hn::Mul(half_dt, dot(r.force, t.at_point)));
   if (step.rolling) {
     r.work = hn::MulAdd(half_dt, dot(old.moment + r.moment, spin), r.work);
   }
-  const V stored = hn::MulAdd(hn::Mul(kt, half), dot(r.spring, r.spring),
-                              hn::Mul(hn::Mul(kn, half), hn::Mul(t.overlap, t.overlap)));
+  V pressed = hn::Mul(hn::Mul(kn, half), hn::Mul(t.overlap, t.overlap));
+  if constexpr (kBodies) pressed = hn::Mul(r.reduction, t.stored);
+  const V stored = hn::MulAdd(hn::Mul(kt, half), dot(r.spring, r.spring), pressed);
   r.elastic = hn::IfThenElseZero(touching, stored);
   // A lost contact gives its whole spring to sliding: trial = old spring, kept = 0.
   const Vec3V<V> given = spring_trial - r.spring;
@@ -182,11 +204,14 @@ HWY_INLINE ResponseV<V> respond(const StepConstants<Real>& step, const Coefficie
   r.slide = hn::Mul(hn::Mul(half, kt),
                     hn::Add(dot(spring_old + r.spring, given), lost_spring));
   const V fn_old = dot(old.force, t.normal_old);
-  const Vec3V<V> dashpot_old =
-      add_scaled(add_scaled(old.force, hn::Neg(fn_old), t.normal_old), kt, old.spring);
-  const Vec3V<V> dashpot = add_scaled(r.tangential, kt, r.spring);
-  r.tangential_damping =
-      hn::Neg(hn::Mul(half_dt, dot(dashpot_old + keep_if(touching, dashpot), vt)));
+  r.tangential_damping = zero;
+  if (step.damped) {
+    const Vec3V<V> dashpot_old =
+        add_scaled(add_scaled(old.force, hn::Neg(fn_old), t.normal_old), kt, old.spring);
+    const Vec3V<V> dashpot = add_scaled(r.tangential, kt, r.spring);
+    r.tangential_damping =
+        hn::Neg(hn::Mul(half_dt, dot(dashpot_old + keep_if(touching, dashpot), vt)));
+  }
   const V entry = hn::Neg(hn::Mul(hn::Mul(half, hn::Mul(kn, t.overlap)),
                                   hn::MulAdd(dt, vn, t.overlap)));
   const M lost = hn::And(hn::Not(touching), hn::Gt(fn_old, zero));

@@ -302,18 +302,23 @@ HWY_NOINLINE bool search_and_clip(const ShapePose& a, const ShapePose& b,
       return false;
     }
   }
+  const bool small = small_shape(*a.shape) && small_shape(*b.shape);
   PairOverlap found;
-  found.flags = out.flags;
   Vec3 normal;
   double overlap = 0;
-  EdgeWay way = EdgeWay::kAskPolygons;
-  if (small_shape(*a.shape) && small_shape(*b.shape)) {
-    way = overlap_by_edges(frame, options, slab, last, found, normal, overlap);
-  }
-  bool touching = way == EdgeWay::kTouching;
-  if (way == EdgeWay::kAskPolygons) {
+  bool touching = false;
+  // The depth needs a slab that does not run against the normal (contained bodies, a poor axis).
+  for (int k = 0; k < 2; ++k) {
     found.flags = out.flags;
-    touching = overlap_by_polygons(frame, options, &slab, last, found, normal, overlap);
+    EdgeWay way = EdgeWay::kAskPolygons;
+    if (small) way = overlap_by_edges(frame, options, slab, last, found, normal, overlap);
+    touching = way == EdgeWay::kTouching;
+    if (way == EdgeWay::kAskPolygons) {
+      found.flags = out.flags;
+      touching = overlap_by_polygons(frame, options, &slab, last, found, normal, overlap);
+    }
+    if (!touching || slab.dot(normal) > 0) break;
+    slab = normal;
   }
   out.flags = found.flags;
   if (touching) finish_touch(a, found, normal, overlap, out);

@@ -279,9 +279,15 @@ bool touch_polyhedra_plain(const ShapePose& a, const ShapePose& b, const PatchOp
   found.flags = 0;
   Vec3 normal;
   double overlap = 0;
-  const Vec3 slab_here = slab != nullptr ? Vec3(a.turn.transpose() * *slab) : Vec3::Zero();
-  const bool touching = overlap_by_polygons(frame, options, slab != nullptr ? &slab_here : nullptr,
-                                            a.turn.transpose() * last, found, normal, overlap);
+  const Vec3 last_here = a.turn.transpose() * last;
+  Vec3 slab_here = slab != nullptr ? Vec3(a.turn.transpose() * *slab) : Vec3::Zero();
+  const Vec3* cull_along = slab != nullptr ? &slab_here : nullptr;
+  bool touching =
+      overlap_by_polygons(frame, options, cull_along, last_here, found, normal, overlap);
+  if (touching && slab != nullptr && slab_here.dot(normal) <= 0) {
+    slab_here = normal;
+    touching = overlap_by_polygons(frame, options, cull_along, last_here, found, normal, overlap);
+  }
   if (touching) {
     finish_touch(a, found, normal, overlap, out);
   } else {

@@ -36,12 +36,14 @@ void sphere_facet(const StepConstants<double>& step, const ParticleView<Real>& p
     t.normal_old = {geometry(4), geometry(5), geometry(6)};
     t.overlap_old = geometry(7);
     const Vec3V<V> wall_velocity = {geometry(8), geometry(9), geometry(10)};
-    t.velocity = a.velocity - wall_velocity;
+    const Vec3V<V> velocity = a.velocity - wall_velocity;
+    t.normal_velocity = dot(t.normal, velocity);
     t.spin_i = {to_f64(a.spin.x), to_f64(a.spin.y), to_f64(a.spin.z)};
     t.spin_j = {geometry(11), geometry(12), geometry(13)};
-    t.arm_i = hn::NegMulAdd(half, t.overlap, radius);
-    t.arm_i_old = hn::NegMulAdd(half, t.overlap_old, radius);
-    t.arm_j = t.arm_j_old = zero;
+    const V arm = hn::NegMulAdd(half, t.overlap, radius);
+    const V arm_old = hn::NegMulAdd(half, t.overlap_old, radius);
+    t.at_point = velocity - cross(scale(arm, t.spin_i), t.normal);
+    t.at_old = velocity - cross(scale(arm_old, t.spin_i), t.normal_old);
     t.inverse_mass = inverse_mass;
     t.count_rate = hn::Mul(contacts, inverse_mass);
     t.contacts = contacts;
@@ -72,7 +74,7 @@ void sphere_facet(const StepConstants<double>& step, const ParticleView<Real>& p
     store3(r.moment, walls.moment, at);
     count_response<double>(r, touching, hn::Div(t.overlap, radius), sum);
 
-    const Vec3V<V> torque = add_scaled(r.moment, t.arm_i, cross(r.tangential, t.normal));
+    const Vec3V<V> torque = add_scaled(r.moment, arm, cross(r.tangential, t.normal));
     const auto index = hn::Sub(hn::LoadU(D32U(), walls.particle + at), hn::Set(D32U(), tile.first));
     hn::StoreU(index, D32U(), rows);
     const V one = hn::IfThenElseZero(touching, hn::Set(d, 1));

@@ -35,11 +35,9 @@ HWY_INLINE SeparationV<Real> separate(const StepConstants<Real>& step, const Par
                                       const PartnerV<Real>& b) {
   using V64 = hn::Vec<D64>;
   Vec3V<V64> dx = a.place - b.place;
-  if (step.periodic) {
-    dx.x = nearest_image(dx.x, step.period[0], step.inverse_period[0]);
-    dx.y = nearest_image(dx.y, step.period[1], step.inverse_period[1]);
-    dx.z = nearest_image(dx.z, step.period[2], step.inverse_period[2]);
-  }
+  if (step.period[0] > 0) dx.x = nearest_image(dx.x, step.period[0], step.inverse_period[0]);
+  if (step.period[1] > 0) dx.y = nearest_image(dx.y, step.period[1], step.inverse_period[1]);
+  if (step.period[2] > 0) dx.z = nearest_image(dx.z, step.period[2], step.inverse_period[2]);
   const V64 reach = hn::Add(to_f64(a.radius), to_f64(b.radius));
   const V64 d2 = dot(dx, dx);
   return {to_real<Real>(dx), to_real<Real>(a.velocity - b.velocity), to_real<Real>(reach),
@@ -49,17 +47,18 @@ HWY_INLINE SeparationV<Real> separate(const StepConstants<Real>& step, const Par
 // Unit vectors and overlaps (R^2 - d^2) / (R + d), now and a step ago, by two divisions. A step ago
 // the squares were smaller by dt v.(2 x - dt v): a small difference, right to a rounding of itself.
 template <class Real, class V = hn::Vec<Lanes<Real>>>
-HWY_INLINE void set_geometry(const SeparationV<Real> (&s)[2], V dt, TouchV<V>& t, V& reach) {
+HWY_INLINE void set_geometry(const SeparationV<Real> (&s)[2], V dt, TouchV<V>& t,
+                             Vec3V<V>& velocity, V& reach) {
   const Lanes<Real> d;
   const V one = hn::Set(d, 1), tiny = hn::Set(d, Real(1e-25));
   const auto both = [&](const auto& pick) HWY_ATTR { return join<Real>(pick(0), pick(1)); };
   reach = both([&](int h) HWY_ATTR { return s[h].reach; });
-  t.velocity = both([&](int h) HWY_ATTR { return s[h].velocity; });
+  velocity = both([&](int h) HWY_ATTR { return s[h].velocity; });
   const Vec3V<V> place = both([&](int h) HWY_ATTR { return s[h].place; });
-  const Vec3V<V> place_old = add_scaled(place, hn::Neg(dt), t.velocity);
+  const Vec3V<V> place_old = add_scaled(place, hn::Neg(dt), velocity);
   const V d2 = both([&](int h) HWY_ATTR { return s[h].d2; });
   const V gap2 = both([&](int h) HWY_ATTR { return s[h].gap2; });
-  const V came = hn::Mul(dt, dot(t.velocity, place + place_old));
+  const V came = hn::Mul(dt, dot(velocity, place + place_old));
   const V gap2_old = hn::Add(gap2, came);
   const V now = hn::Sqrt(hn::Max(d2, tiny)), old = hn::Sqrt(hn::Max(hn::Sub(d2, came), tiny));
   const V inverse = hn::Div(one, hn::Mul(now, old));
@@ -75,21 +74,27 @@ HWY_INLINE void set_geometry(const SeparationV<Real> (&s)[2], V dt, TouchV<V>& t
 template <class Real, class V = hn::Vec<Lanes<Real>>>
 HWY_INLINE TouchV<V> touch_of(const StepConstants<Real>& step, const PartnerV<Real> (&a)[2],
                               const PartnerV<Real> (&b)[2], const SeparationV<Real> (&s)[2],
-                              V& radius_i) {
+                              V& radius_i, V& arm_i, V& arm_j) {
   const Lanes<Real> d;
   const auto both = [&](const auto& pick) HWY_ATTR { return join<Real>(pick(0), pick(1)); };
   TouchV<V> t;
   V reach;
-  set_geometry<Real>(s, hn::Set(d, static_cast<Real>(step.dt)), t, reach);
+  Vec3V<V> velocity;
+  set_geometry<Real>(s, hn::Set(d, static_cast<Real>(step.dt)), t, velocity, reach);
+  t.normal_velocity = dot(t.normal, velocity);
   t.spin_i = both([&](int h) HWY_ATTR { return a[h].spin; });
   t.spin_j = both([&](int h) HWY_ATTR { return b[h].spin; });
   const V half = hn::Set(d, Real(0.5));
   radius_i = both([&](int h) HWY_ATTR { return a[h].radius; });
   const V radius_j = both([&](int h) HWY_ATTR { return b[h].radius; });
-  t.arm_i = hn::NegMulAdd(half, t.overlap, radius_i);
-  t.arm_j = hn::NegMulAdd(half, t.overlap, radius_j);
-  t.arm_i_old = hn::NegMulAdd(half, t.overlap_old, radius_i);
-  t.arm_j_old = hn::NegMulAdd(half, t.overlap_old, radius_j);
+  arm_i = hn::NegMulAdd(half, t.overlap, radius_i);
+  arm_j = hn::NegMulAdd(half, t.overlap, radius_j);
+  const V arm_i_old = hn::NegMulAdd(half, t.overlap_old, radius_i);
+  const V arm_j_old = hn::NegMulAdd(half, t.overlap_old, radius_j);
+  const Vec3V<V> rim = add_scaled(scale(arm_i, t.spin_i), arm_j, t.spin_j);
+  const Vec3V<V> rim_old = add_scaled(scale(arm_i_old, t.spin_i), arm_j_old, t.spin_j);
+  t.at_point = velocity - cross(rim, t.normal);
+  t.at_old = velocity - cross(rim_old, t.normal_old);
   const V mass_i = both([&](int h) HWY_ATTR { return a[h].inverse_mass; });
   const V mass_j = both([&](int h) HWY_ATTR { return b[h].inverse_mass; });
   const V count_i = both([&](int h) HWY_ATTR { return a[h].contacts; });
@@ -173,8 +178,8 @@ HWY_INLINE void sphere_sphere_row(const StepConstants<Real>& step, const Particl
 
   const PartnerV<Real>(&a)[2] = kOwn ? block.owner : other;
   const PartnerV<Real>(&b)[2] = kOwn ? other : block.owner;
-  V radius_i;
-  const TouchV<V> t = touch_of<Real>(step, a, b, s, radius_i);
+  V radius_i, arm_i, arm_j;
+  const TouchV<V> t = touch_of<Real>(step, a, b, s, radius_i, arm_i, arm_j);
   old.moment = {zero, zero, zero};
   if (step.rolling) old.moment = load3<V>(numbers + 6 * kPairPad, kPairPad);
   const auto material_i = join<Real>(a[0].material, a[1].material);
@@ -191,11 +196,11 @@ HWY_INLINE void sphere_sphere_row(const StepConstants<Real>& step, const Particl
   if constexpr (kOwn) count_response<Real>(r, touching, hn::Div(t.overlap, radius_i), block.tally);
 
   const Vec3V<V> twist = cross(r.tangential, t.normal);  // = -n x F_t
-  const Vec3V<V> torque_j = scale(t.arm_j, twist) - r.moment;
+  const Vec3V<V> torque_j = scale(arm_j, twist) - r.moment;
   const Vec3V<V> on_j = {hn::Neg(r.force.x), hn::Neg(r.force.y), hn::Neg(r.force.z)};
   const V one = hn::IfThenElseZero(touching, hn::Set(d, 1));
   if constexpr (kOwn) {
-    const Vec3V<V> torque_i = add_scaled(r.moment, t.arm_i, twist);
+    const Vec3V<V> torque_i = add_scaled(r.moment, arm_i, twist);
     add_to_owner<Real, 0>(r.force, torque_i, one, block.sums);
     add_to_partners<Real, 0>(on_j, torque_j, one, partner, tile);
     if constexpr (kHalves<Real> == 2) {

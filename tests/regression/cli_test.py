@@ -54,7 +54,9 @@ class Case(unittest.TestCase):
 class Info(Case):
     def test_lists_what_the_code_offers(self):
         self.expect(0, quern("info"), "linear-spring-dashpot", "normal_stiffness", "N/m", "clamped",
-                    "sphere-sphere", "sphere-facet", "inverse_mass", "power", "ledger_error",
+                    "sphere-sphere", "sphere-facet", "polyhedron-sphere",
+                    "polyhedron-polyhedron", "polyhedron-facet", "volume_stiffness",
+                    "Polyhedron fields", "angular momentum", "model_work", "inverse_mass", "power", "ledger_error",
                     "run.time_step", "mill.lifters.count", "SIMD targets")
 
     def test_says_how_it_is_used(self):
@@ -143,7 +145,7 @@ class Summary(Case):
     MEANS = ["power_W", "torque_Nm", "kinetic_energy_J", "rotational_energy_J",
              "contacts_per_particle", "center_of_mass_x_m", "center_of_mass_y_m",
              "center_of_mass_z_m"]
-    FIGURES = ["particles", "steps", "time_s", "wall_s", "particle_steps_per_s", "center_of_mass_m",
+    FIGURES = ["particles", "spheres", "polyhedra", "steps", "time_s", "wall_s", "particle_steps_per_s", "center_of_mass_m",
                "ledger_error", "numerical_loss", "state_hash", "peak_memory_B", "threads",
                "simd_target", "precision", "version"]
 
@@ -156,6 +158,8 @@ class Summary(Case):
         for name in self.MEANS:
             self.assertGreaterEqual(summary[name + "_standard_error"], 0, name)
         self.assertEqual(summary["particles"], 380)
+        self.assertEqual((summary["spheres"], summary["polyhedra"]), (380, 0))
+        self.assertNotIn("model_work_J", summary)
         self.assertEqual(summary["steps"], 20000)
         self.assertAlmostEqual(summary["time_s"], 0.2, delta=1e-9)
         self.assertEqual(summary["threads"], 1)

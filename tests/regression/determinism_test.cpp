@@ -10,20 +10,15 @@
 
 #include <csignal>
 #include <filesystem>
-#include <optional>
 #include <thread>
 
-#include "io/checkpoint.h"
 #include "scheduler/check_lists.h"
-#include "soa/hash.h"
-#include "tests/support/build_world.h"
-#include "tests/support/temp_folder.h"
-#include "tests/support/trap_fp.h"
+#include "tests/support/hashed_runs.h"
 
 namespace quern {
 namespace {
 
-constexpr std::uint64_t kWarmUp = 15000, kSteps = 2000;
+constexpr std::uint64_t kWarmUp = 15000;
 
 Scene lab_mill(const std::vector<std::string>& more = {}) {
   std::vector<std::string> overrides = {"run.settle=none", "run.tile_size=4"};
@@ -40,64 +35,6 @@ Scene sag_slice(const std::vector<std::string>& more = {}) {
   overrides.insert(overrides.end(), more.begin(), more.end());
   return shipped_scene("sag_slice_small_sp", overrides);
 }
-
-struct RunOptions {
-  int threads = 1;
-  std::uint64_t shuffle = 0;
-  std::uint64_t checkpoint_at = 0;  // step at which one is written and forgotten
-  std::uint64_t resume_at = 0;      // step at which the run goes on in a new world
-};
-
-void write(World<float>& world, const std::string& folder) {
-  write_checkpoint(folder, CheckpointHeader(), [&](StateVisitor& v) { world.visit(v); });
-}
-
-void advance(World<float>& world, const RunOptions& o, std::uint64_t until) {
-  Stepper<float> stepper(world, o.threads);
-  if (o.shuffle != 0) stepper.graph().shuffle(o.shuffle);
-  while (world.clock.step < until) {
-    const StepReport report = stepper.step();
-    ASSERT_EQ(report.bits & kFatalBits, 0u) << "step " << world.clock.step;
-  }
-}
-
-// A new world with the state of a checkpoint.
-std::unique_ptr<World<float>> read(const Scene& scene, const std::string& folder) {
-  auto world = std::make_unique<World<float>>(world_of<float>(scene));
-  read_checkpoint(folder + "/checkpoint.h5", [&](StateVisitor& v) { world->visit(v); });
-  return world;
-}
-
-// A scene with a charge in motion.
-struct Start {
-  Scene scene;
-  TempFolder folder;
-  Start(const Scene& from, std::uint64_t warm_up) : scene(from) {
-    World<float> world = world_of<float>(scene);
-    advance(world, {}, warm_up);
-    write(world, folder.path());
-  }
-
-  // Hash after `steps` steps.
-  std::uint64_t hash_after(const RunOptions& o, std::uint64_t steps = kSteps) const {
-    TempFolder between;
-    std::unique_ptr<World<float>> world = read(scene, folder.path());
-    const std::uint64_t now = world->clock.step;
-    if (o.checkpoint_at != 0) {
-      advance(*world, o, now + o.checkpoint_at);
-      write(*world, between.path());
-    }
-    if (o.resume_at != 0) {
-      advance(*world, o, now + o.resume_at);
-      write(*world, between.path());
-      world = read(scene, between.path());
-    }
-    advance(*world, o, now + steps);
-    EXPECT_GT(world->totals.pair_contacts + world->totals.wall_contacts, 100)
-        << "a charge without contacts proves nothing";
-    return state_hash(*world);
-  }
-};
 
 struct Case {
   const char* name;
@@ -156,8 +93,8 @@ TEST(Restart, RestoresAStateWithTheSameHashAndLists) {
   TempFolder folder;
   World<float> world = world_of<float>(s);
   advance(world, {}, 1234);
-  write(world, folder.path());
-  World<float> other = std::move(*read(s, folder.path()));
+  write_state(world, folder.path());
+  World<float> other = std::move(*read_state(s, folder.path()));
   // Poses are no state: the next step computes them from the time.
   for (std::size_t b = 0; b < world.bodies.size(); ++b) other.bodies[b].pose = world.bodies[b].pose;
   EXPECT_EQ(state_hash(other), state_hash(world));

@@ -2,10 +2,11 @@
 
 usage: xvfb-run -a pvbatch paraview_frames.py FRAMES_FOLDER PICTURE.png [PARTICLES]
 
-Loads particles.hdf.series and liner.hdf.series the way the file dialog does. The times are compared
-with the series files, the number of particles of each frame with PARTICLES if given; all fields
-must be there. The picture is seen along -z, in perspective so that the shell shows: spheres of
-true size coloured by speed, the liner as a translucent surface. A picture of one colour only means
+Loads particles.hdf.series, polyhedra.hdf.series and liner.hdf.series the way the file dialog does.
+The times are compared with the series files, the number of particles of each frame (spheres and
+polyhedra) with PARTICLES if given; all fields must be there. The picture is seen along -z, in
+perspective so that the shell shows: spheres of true size and polyhedra in their true shapes
+coloured by speed, the liner as a translucent surface. A picture of one colour only means
 that nothing was drawn and counts as a failure. Exits 1 on any failure.
 """
 
@@ -14,6 +15,7 @@ import os
 import sys
 
 import paraview.simple as pv
+from paraview import servermanager
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 
@@ -41,13 +43,18 @@ def load(folder, name):
     return reader, times
 
 
-def check_particles(reader, times, expected):
+def check_spheres(reader, times):
+    """The number of spheres at each time."""
+    found = []
     for time in times:
         reader.UpdatePipeline(time)
         info = reader.GetDataInformation()
         points, cells = info.GetNumberOfPoints(), info.GetNumberOfCells()
-        if points != cells or (expected is not None and points != expected):
-            fail(f"t = {time}: {points} points and {cells} cells, expected {expected}")
+        found.append(points)
+        if points != cells:
+            fail(f"t = {time}: {points} points and {cells} cells")
+        if points == 0:
+            continue
         for name, components in (("radius", 1), ("velocity", 3), ("speed", 1), ("spin", 3),
                                  ("id", 1), ("species", 1), ("contacts", 1)):
             array = reader.PointData.GetArray(name)
@@ -56,7 +63,25 @@ def check_particles(reader, times, expected):
         low, high = reader.PointData.GetArray("radius").GetRange()
         if not 0 < low <= high:
             fail(f"t = {time}: radii from {low} to {high}")
-        print(f"t = {time}: {points} particles, radius {low} ... {high} m")
+        print(f"t = {time}: {points} spheres, radius {low} ... {high} m")
+    return found
+
+
+def check_polyhedra(reader, times):
+    """The number of polyhedra at each time."""
+    found = []
+    for time in times:
+        reader.UpdatePipeline(time)
+        if reader.GetDataInformation().GetNumberOfCells() == 0:
+            found.append(0)
+            continue
+        for name in ("id", "species", "contacts", "speed", "spin_magnitude"):
+            if reader.CellData.GetArray(name) is None:
+                fail(f"t = {time}: no cell data '{name}'")
+        ids = servermanager.Fetch(reader).GetCellData().GetArray("id")
+        found.append(len({ids.GetValue(k) for k in range(ids.GetNumberOfTuples())}))
+        print(f"t = {time}: {found[-1]} polyhedra of {ids.GetNumberOfTuples()} triangles")
+    return found
 
 
 def check_liner(reader, times):
@@ -69,13 +94,12 @@ def check_liner(reader, times):
                 fail(f"t = {time}: no cell data '{name}'")
 
 
-def render(particles, liner, time, picture):
-    view = pv.CreateRenderView()
-    view.ViewSize = [1000, 860]
-    view.OrientationAxesVisibility = 0
-    view.ViewTime = time
-    view.Background = [1, 1, 1]
-    view.UseColorPaletteForBackground = 0
+def speed_range(reader, data):
+    array = getattr(reader, data).GetArray("speed")
+    return array.GetRange() if array is not None else (0.0, 0.0)
+
+
+def show_spheres(particles, view):
     spheres = pv.Glyph(Input=particles, GlyphType="Sphere")
     spheres.GlyphType.Radius = 1.0
     spheres.GlyphType.ThetaResolution = spheres.GlyphType.PhiResolution = 16
@@ -85,9 +109,30 @@ def render(particles, liner, time, picture):
     spheres.GlyphMode = "All Points"
     shown = pv.Show(spheres, view)
     pv.ColorBy(shown, ("POINTS", "speed"))
-    shown.RescaleTransferFunctionToDataRange(True)
-    shown.SetScalarBarVisibility(view, True)
-    bar = pv.GetScalarBar(pv.GetColorTransferFunction("speed"), view)
+
+
+def render(particles, polyhedra, liner, time, picture):
+    view = pv.CreateRenderView()
+    view.ViewSize = [1000, 860]
+    view.OrientationAxesVisibility = 0
+    view.ViewTime = time
+    view.Background = [1, 1, 1]
+    view.UseColorPaletteForBackground = 0
+    ranges = []
+    particles.UpdatePipeline(time)
+    if particles.GetDataInformation().GetNumberOfPoints() > 0:
+        show_spheres(particles, view)
+        ranges.append(speed_range(particles, "PointData"))
+    if polyhedra is not None:
+        polyhedra.UpdatePipeline(time)
+        shown = pv.Show(polyhedra, view)
+        shown.Representation = "Surface"
+        pv.ColorBy(shown, ("CELLS", "speed"))
+        ranges.append(speed_range(polyhedra, "CellData"))
+    colours = pv.GetColorTransferFunction("speed")
+    colours.RescaleTransferFunction(min(low for low, _ in ranges), max(high for _, high in ranges))
+    bar = pv.GetScalarBar(colours, view)
+    bar.Visibility = 1
     bar.Title, bar.ComponentTitle = "speed (m/s)", ""
     bar.TitleColor = bar.LabelColor = [0, 0, 0]
     bar.RangeLabelFormat = bar.LabelFormat = "%.1f"
@@ -128,10 +173,18 @@ def main():
     particles, times = load(folder, "particles")
     if particles is None or not times:
         fail(f"{folder}: no particles.hdf.series")
+    polyhedra, polyhedron_times = load(folder, "polyhedra")
     liner, liner_times = load(folder, "liner")
-    check_particles(particles, times, expected)
+    counts = check_spheres(particles, times)
+    if polyhedra is not None:
+        if polyhedron_times != times:
+            fail(f"{folder}: spheres and polyhedra are of different times")
+        bodies = check_polyhedra(polyhedra, times)
+        counts = [sum(pair) for pair in zip(counts, bodies)]
+    if expected is not None and set(counts) != {expected}:
+        fail(f"{folder}: {counts} particles, expected {expected} in each frame")
     check_liner(liner, liner_times)
-    render(particles, liner, times[-1], picture)
+    render(particles, polyhedra, liner, times[-1], picture)
     check_picture(picture)
     print(f"{picture} written")
 

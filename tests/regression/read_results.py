@@ -80,7 +80,7 @@ def check_frames(folder):
     if not os.path.isdir(frames):
         print(f"{frames}: none")
         return
-    for kind in ("particles", "liner"):
+    for kind in ("particles", "polyhedra", "liner"):
         path = os.path.join(frames, f"{kind}.hdf.series")
         if not os.path.isfile(path):
             check(kind != "particles", f"{path}: missing")

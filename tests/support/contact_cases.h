@@ -98,7 +98,7 @@ StepConstants<Real> constants(const CaseOptions& o, const RandomLaw<Real>& law) 
   c.dt = kCaseStep;
   c.clamped = o.clamped;
   c.rolling = o.rolling;
-  c.periodic = o.periodic;
+  c.damped = o.tangential_damping;
   if (o.periodic) {
     c.period[2] = 0.5;
     c.inverse_period[2] = 1 / c.period[2];

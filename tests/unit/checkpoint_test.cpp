@@ -339,7 +339,7 @@ TEST(Checkpoint, RefusesWhatIsMissingAndWhatIsLeftOver) {
                        "'state/group/b': missing"));
   write_checkpoint(folder.path(), header_of(1), visit_both);
   EXPECT_TRUE(contains(complaint_of([&] { read_checkpoint(path, visit_a); }),
-                       "'state/group/b': this program has no such state"));
+                       "'state/group/b': this scene has no such state"));
 }
 
 TEST(Checkpoint, RefusesAnotherFormat) {

@@ -16,6 +16,7 @@ namespace {
 ParticleFrame particles_at(double time, std::size_t n) {
   ParticleFrame frame;
   frame.time = time;
+  frame.spheres = n;
   for (std::size_t i = 0; i < n; ++i) {
     const float x = static_cast<float>(i);
     for (int axis = 0; axis < 3; ++axis) {

@@ -1,0 +1,77 @@
+// Contacts of bodies that are no sphere: what the kernels of law and sums read and write.
+//
+// A polyhedron's contacts come as lanes whose geometry the narrow phase has found. Spheres near one
+// polyhedron are a group: their records are gathered, polyhedron_sphere finds normals and overlaps,
+// push_spheres applies the law, adds to the rows of the spheres and sums up what the polyhedron gets.
+// Contacts among polyhedra and with walls are few: push_bodies is the law alone, energies a contact.
+#pragma once
+
+#include "kernels/contact.h"
+#include "soa/shapes.h"
+
+namespace quern {
+
+// A polyhedron as its contacts see it; vectors in the world frame.
+struct BodyState {
+  Vec3 place, velocity, spin;
+  double inverse_mass = 0;  // 1/kg
+  double mobility = 0;      // 1/(kg m^2), the largest inverse principal moment of inertia
+  double contacts = 0;      // of the last step
+  std::uint32_t material = 0;
+};
+
+// Columns of one group in kShapePad lanes each; scratch of a worker.
+struct GroupLanes {
+  double* center[3];  // m, of the spheres from the polyhedron's place, nearest image
+  double* radius;
+  double* normal[3];
+  double* overlap;
+  double* point[3];
+};
+
+template <class Real>
+struct SphereGroup {
+  BodyState body;
+  const Index* sphere;  // padded to kShapePad
+  Real* numbers;        // history, see soa/polyhedra.h
+  std::size_t count;
+  double* sums;         // out: force, torque, contacts of the polyhedron
+  double overlap_cap;   // m; 0: none
+};
+
+// Rows of `count` numbers, one lane a contact, padded to kShapePad with kPadding.
+struct BodyContacts {
+  enum Row {
+    kNormal = 0,          // 3, from j to i
+    kNormalOld = 3,       // 3
+    kOverlap = 6,         // m; <= 0 closes a contact
+    kOverlapOld,
+    kAtPoint,             // 3, m/s, velocity of i from j at the contact point
+    kAtOld = kAtPoint + 3,      // 3, at the contact point of a step ago
+    kSpinI = kAtOld + 3,        // 3, rad/s
+    kSpinJ = kSpinI + 3,        // 3
+    kInverseMass = kSpinJ + 3,  // 1/m_i + 1/m_j
+    kTangentialInverse,         // sum of 1/m + r^2/I
+    kCountRate,                 // sum of Z/m
+    kTangentialCountRate,       // sum of Z (1/m + r^2/I)
+    kElasticForce,              // N, of the normal spring
+    kStored,                    // J
+    kSpring,                    // 3, m, in and out
+    kForce = kSpring + 3,       // 3, N on i, in and out
+    kWork = kForce + 3,         // J, out, as are the following
+    kElastic,
+    kSlide,
+    kTangentialDamping,
+    kNumericalLoss,
+    kReduction,                 // of the spring by the implicit damping
+    kNormalForce,               // N
+    kRows
+  };
+  double* numbers;        // kRows rows, `stride` apart
+  std::size_t stride;
+  const Index* law_row;   // of the table of materials
+  std::size_t count;      // padded
+  double* row(int k) const { return numbers + static_cast<std::size_t>(k) * stride; }
+};
+
+}  // namespace quern

@@ -1,0 +1,420 @@
+#include "kernels/polyhedron_contacts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "kernels/laws/patch_damping.h"
+#include "kernels/pairs/polyhedron_facet.h"
+#include "kernels/pairs/polyhedron_polyhedron.h"
+#include "kernels/pairs/wall_history.h"
+
+namespace quern {
+
+template <class Real>
+BodyState body_state(const World<Real>& world, std::size_t body) {
+  const Polyhedra<Real>& p = world.polyhedra;
+  BodyState s;
+  s.place = p.place(body);
+  s.velocity = p.velocity(body);
+  s.spin = p.spin(body);
+  s.inverse_mass = p.inverse_mass[body];
+  s.mobility = p.inverse_inertia(body).maxCoeff();
+  s.contacts = p.contacts[body];
+  s.material = p.material[body];
+  return s;
+}
+
+template <class Real>
+ShapePose shape_pose(const World<Real>& world, std::size_t body) {
+  const Polyhedra<Real>& p = world.polyhedra;
+  return {&world.shapes[p.shape[body]], p.scale[body], p.place(body),
+          p.orientation(body).toRotationMatrix()};
+}
+
+template <class Real>
+Vec3 separation(const World<Real>& world, const Vec3& dx) {
+  Vec3 nearest = dx;
+  for (std::size_t a = 0; a < 3; ++a) {
+    if (!world.periodic[a]) continue;
+    const Eigen::Index e = static_cast<Eigen::Index>(a);
+    const double period = world.high[e] - world.low[e];
+    nearest[e] -= period * std::nearbyint(dx[e] / period);
+  }
+  return nearest;
+}
+
+template <class Real>
+void PolyhedronContacts<Real>::put(int row, const Vec3& v) {
+  for (int a = 0; a < 3; ++a) put(row + a, v[a]);
+}
+
+template <class Real>
+void PolyhedronContacts<Real>::reserve(std::size_t n) {
+  if (n + kShapePad <= stride_) return;
+  const std::size_t wider = std::max<std::size_t>(2 * stride_, n + 64);
+  std::vector<double> numbers(BodyContacts::kRows * wider, 0.0);
+  for (std::size_t row = 0; row < BodyContacts::kRows; ++row) {
+    std::copy_n(numbers_.begin() + static_cast<std::ptrdiff_t>(row * stride_), count_,
+                numbers.begin() + static_cast<std::ptrdiff_t>(row * wider));
+  }
+  numbers_ = std::move(numbers);
+  stride_ = wider;
+  law_row_.resize(wider);
+}
+
+template <class Real>
+void PolyhedronContacts<Real>::set_elastic(const World<Real>& world, double overlap, double area,
+                                           double volume, const Vec3& moment, double smaller,
+                                           Index law_row, double& force, double& stored,
+                                           Vec3& couple) const {
+  const double kn = world.wall_law.normal_stiffness[law_row];
+  const double cap = world.overlap_cap;
+  if (world.patch.model == NormalModel::kStiffness) {
+    const double pressed = cap > 0 ? std::min(overlap, cap) : overlap;
+    force = kn * pressed;
+    stored = kn * pressed * (overlap - 0.5 * pressed);
+    couple = Vec3::Zero();
+    return;
+  }
+  double kv = world.patch.volume_stiffness > 0 ? world.patch.volume_stiffness : kn / smaller;
+  if (cap > 0) kv = std::min(kv, kn * cap / area);
+  force = kv * area;
+  stored = kv * volume;
+  couple = kv * moment;
+}
+
+// Adds a lane; its touch, arms and elastic side are those in `lane`.
+template <class Real>
+void PolyhedronContacts<Real>::push(const World<Real>& world, const Lane& lane, const Side& i,
+                                    const Side& j, const Vec3& at_old, Index law_row) {
+  using B = BodyContacts;
+  reserve(count_ + 1);
+  const WallSpring& w = lane.wall;  // carries the contact's normal, overlap and history for both kinds
+  const auto turning = [](const Side& s) {
+    return s.state.inverse_mass + s.arm.squaredNorm() * s.state.mobility;
+  };
+  put(B::kNormal, w.normal);
+  put(B::kOverlap, lane.touching ? w.overlap : 0);
+  put(B::kAtPoint, Vec3(i.state.velocity + i.state.spin.cross(i.arm) - j.state.velocity -
+                        j.state.spin.cross(j.arm)));
+  put(B::kAtOld, at_old);
+  put(B::kSpinI, i.state.spin);
+  put(B::kSpinJ, j.state.spin);
+  put(B::kInverseMass, i.state.inverse_mass + j.state.inverse_mass);
+  put(B::kTangentialInverse, turning(i) + turning(j));
+  put(B::kCountRate,
+      i.state.contacts * i.state.inverse_mass + j.state.contacts * j.state.inverse_mass);
+  put(B::kTangentialCountRate, i.state.contacts * turning(i) + j.state.contacts * turning(j));
+  put(B::kElasticForce, lane.touching ? (lane.pair ? lane.pair->elastic_force : lane.wall.elastic_force) : 0);
+  put(B::kStored, lane.touching ? (lane.pair ? lane.pair->stored : lane.wall.stored) : 0);
+  law_row_[count_] = law_row;
+  lanes_.push_back(lane);
+  Lane& added = lanes_.back();
+  added.inverse_tangential = turning(i) + turning(j);
+  added.mobility =
+      patch_mobility(i.state.mobility, i.state.contacts, j.state.mobility, j.state.contacts);
+  ++count_;
+  static_cast<void>(world);
+}
+
+template <class Real>
+void PolyhedronContacts<Real>::collect_pair(World<Real>& world, PolyhedronPair& pair) {
+  using B = BodyContacts;
+  const Polyhedra<Real>& p = world.polyhedra;
+  ShapePose a = shape_pose(world, pair.j), b = shape_pose(world, pair.i);
+  b.place = separation(world, Vec3(b.place - a.place));
+  a.place = Vec3::Zero();
+  const double reach = a.scale * a.shape->bound_radius + b.scale * b.shape->bound_radius;
+  const bool near = b.place.squaredNorm() < reach * reach;
+  if (!near && pair.touching == 0) return;
+  PairAxis axis;
+  std::copy_n(pair.axis, 3, axis.axis);
+  axis.gap = pair.gap;
+  axis.flags = pair.axis_flags;
+  PolyhedronTouch touch{};
+  const bool touching = near && touch_polyhedra(a, b, {world.patch.overlap, world.patch.model},
+                                                axis, touch);
+  std::copy_n(axis.axis, 3, pair.axis);
+  pair.gap = axis.gap;
+  pair.axis_flags = axis.flags;
+  if (!touching && pair.touching == 0) return;
+
+  Side i{body_state(world, pair.i), touching ? Vec3(touch.point - b.place) : pair.arm_i};
+  Side j{body_state(world, pair.j), touching ? touch.point : pair.arm_j};
+  const Vec3 at_old = i.state.velocity + i.state.spin.cross(pair.arm_i) - j.state.velocity -
+                      j.state.spin.cross(pair.arm_j);
+  Lane lane{};
+  lane.pair = &pair;
+  lane.touching = touching;
+  lane.area = touching ? touch.area : 0;
+  lane.smaller = std::min(p.scale[pair.i], p.scale[pair.j]);
+  lane.arm_i = i.arm;
+  lane.arm_j = j.arm;
+  lane.stored_old = pair.stored;
+  lane.elastic_force_old = pair.elastic_force;
+  lane.couple_old = pair.couple;
+  lane.moment_old = pair.moment;
+  lane.wall.normal = touching ? touch.normal : pair.normal;
+  lane.wall.overlap = touching ? touch.overlap : 0;
+  const Index row = i.state.material * world.materials + j.state.material;
+  const Vec3 normal_old = pair.touching != 0 ? pair.normal : lane.wall.normal;
+  const double overlap_old = pair.overlap;
+  pair.elastic_force = pair.stored = 0;
+  pair.couple.setZero();
+  if (touching) {
+    set_elastic(world, touch.overlap, touch.area, touch.volume, touch.moment, lane.smaller, row,
+                pair.elastic_force, pair.stored, pair.couple);
+  }
+  lane.couple = pair.couple;
+  const Vec3 spring = pair.spring, force = pair.force;
+  push(world, lane, i, j, at_old, row);
+  --count_;
+  put(B::kNormalOld, normal_old);
+  put(B::kOverlapOld, overlap_old);
+  put(B::kSpring, spring);
+  put(B::kForce, force);
+  ++count_;
+}
+
+template <class Real>
+void PolyhedronContacts<Real>::collect_wall(World<Real>& world, std::size_t body, Index wall_body,
+                                            std::span<const Index> facets,
+                                            std::span<const PolyhedronWall> old) {
+  using B = BodyContacts;
+  const Body& wall = world.bodies[wall_body];
+  const Mat3& turn = wall.pose.rotation;
+  const ShapePose here = shape_pose(world, body);
+  const ShapePose pose = {here.shape, here.scale, turn.transpose() * (here.place - wall.pose.shift),
+                          turn.transpose() * here.turn};
+  std::array<WallPatch, kMaxWallPatches> patch;
+  const int found = facets.empty() ? 0
+                                   : polyhedron_facet_touches(wall.facets, pose, facets,
+                                                              {world.patch.overlap, 0},
+                                                              patch.data(), kMaxWallPatches);
+  const std::size_t count = static_cast<std::size_t>(found);
+  std::array<Index, kMaxWallPatches> wall_of, feature;
+  std::array<Vec3, kMaxWallPatches> normal, point;
+  for (std::size_t k = 0; k < count; ++k) {
+    wall_of[k] = patch[k].wall;
+    feature[k] = patch[k].feature;
+    normal[k] = turn * patch[k].normal;
+    point[k] = turn * patch[k].point + wall.pose.shift;
+  }
+  std::array<WallSpring, kMaxWallPatches> springs;
+  const std::size_t olds = std::min<std::size_t>(old.size(), springs.size());
+  std::copy_n(old.begin(), olds, springs.begin());
+  std::array<int, kMaxWallPatches> from;
+  match_wall_springs({springs.data(), olds},
+                     {{wall_of.data(), count},
+                      {feature.data(), count},
+                      {normal.data(), count},
+                      {point.data(), count}},
+                     here.scale, from.data());
+
+  Side i{body_state(world, body), Vec3::Zero()};
+  std::array<bool, kMaxWallPatches> used{};
+  const auto add = [&](const PolyhedronWall* was, const WallPatch* now, const Vec3& world_normal,
+                       const Vec3& world_point) {
+    Lane lane{};
+    lane.pair = nullptr;
+    lane.touching = now != nullptr;
+    if (was) lane.wall = *was;
+    lane.stored_old = lane.wall.stored;
+    lane.elastic_force_old = lane.wall.elastic_force;
+    lane.couple_old = lane.wall.couple;
+    lane.moment_old = lane.wall.moment;
+    lane.smaller = here.scale;
+    const Vec3 normal_old = was ? was->normal : world_normal;
+    const double overlap_old = was ? was->overlap : 0;
+    const Vec3 arm_old = was ? was->arm : Vec3::Zero();
+    lane.wall.particle = static_cast<Index>(body);
+    lane.wall.elastic_force = lane.wall.stored = 0;
+    lane.wall.couple.setZero();
+    lane.wall.overlap = 0;
+    if (now) {
+      lane.wall.wall = now->wall;
+      lane.wall.feature = now->feature;
+      lane.wall.normal = world_normal;
+      lane.wall.point = world_point;
+      lane.wall.arm = world_point - here.place;
+      lane.wall.overlap = now->overlap;
+      lane.area = now->area;
+    }
+    const Index row =
+        i.state.material * world.materials + world.walls[lane.wall.wall].material;
+    if (now) {
+      // The kernel's moment is about the body's centre; the couple is what the point leaves of it.
+      const Vec3 about_point = turn * (now->moment) - lane.wall.arm.cross(turn * now->vector_area);
+      set_elastic(world, now->overlap, now->area, now->volume, about_point, here.scale, row,
+                  lane.wall.elastic_force, lane.wall.stored, lane.wall.couple);
+    }
+    lane.couple = lane.wall.couple;
+    lane.wall_velocity = wall.velocity.at(lane.wall.point);
+    Side j;
+    j.state.velocity = lane.wall_velocity;
+    j.state.spin = wall.velocity.spin;
+    i.arm = lane.wall.arm;
+    lane.arm_i = i.arm;
+    const Vec3 at_old = i.state.velocity + i.state.spin.cross(arm_old) - lane.wall_velocity;
+    push(world, lane, i, j, at_old, row);
+    --count_;
+    put(B::kNormalOld, normal_old);
+    put(B::kOverlapOld, overlap_old);
+    put(B::kSpring, was ? was->spring : Vec3(Vec3::Zero()));
+    put(B::kForce, was ? was->force : Vec3(Vec3::Zero()));
+    ++count_;
+  };
+  for (std::size_t k = 0; k < count; ++k) {
+    const PolyhedronWall* was = nullptr;
+    if (from[k] >= 0) {
+      used[static_cast<std::size_t>(from[k])] = true;
+      was = &old[static_cast<std::size_t>(from[k])];
+    }
+    add(was, &patch[k], normal[k], point[k]);
+  }
+  for (std::size_t k = 0; k < old.size(); ++k) {
+    if (k < used.size() && used[k]) continue;
+    add(&old[k], nullptr, old[k].normal, old[k].point);
+  }
+}
+
+template <class Real>
+void PolyhedronContacts<Real>::collect_walls(World<Real>& world, std::size_t body) {
+  const Polyhedra<Real>& p = world.polyhedra;
+  const auto by_body = [](const PolyhedronWall& w, Index k) { return w.particle < k; };
+  const auto begin =
+      std::lower_bound(p.walls.begin(), p.walls.end(), static_cast<Index>(body), by_body);
+  const auto end = std::lower_bound(begin, p.walls.end(), static_cast<Index>(body + 1), by_body);
+  const std::span<const PolyhedronWall> old(p.walls.data() + (begin - p.walls.begin()),
+                                            static_cast<std::size_t>(end - begin));
+  for (Index b = 0; b < world.bodies.size(); ++b) {
+    std::size_t from = 0, to = 0;
+    while (from < old.size() && world.walls[old[from].wall].body != b) ++from;
+    for (to = from; to < old.size() && world.walls[old[to].wall].body == b;) ++to;
+    std::span<const Index> facets;
+    for (Index e = p.wall_candidate_begin[body]; e < p.wall_candidate_begin[body + 1]; ++e) {
+      if (p.wall_candidate_body[e] != b) continue;
+      facets = {p.wall_candidate_facet.data() + p.wall_candidate_facet_begin[e],
+                p.wall_candidate_facet_begin[e + 1] - p.wall_candidate_facet_begin[e]};
+    }
+    if (facets.empty() && to == from) continue;
+    collect_wall(world, body, b, facets, old.subspan(from, to - from));
+  }
+}
+
+template <class Real>
+void PolyhedronContacts<Real>::collect(World<Real>& world, std::size_t first, std::size_t last) {
+  count_ = 0;
+  lanes_.clear();
+  Polyhedra<Real>& p = world.polyhedra;
+  auto pair = std::lower_bound(p.pairs.begin(), p.pairs.end(), first,
+                               [](const PolyhedronPair& a, std::size_t j) { return a.j < j; });
+  for (; pair != p.pairs.end() && pair->j < last; ++pair) collect_pair(world, *pair);
+  for (std::size_t body = first; body < last; ++body) collect_walls(world, body);
+}
+
+template <class Real>
+BodyContacts PolyhedronContacts<Real>::view() {
+  const std::size_t padded = (count_ + kShapePad - 1) / kShapePad * kShapePad;
+  reserve(padded);
+  using B = BodyContacts;
+  for (std::size_t k = count_; k < padded; ++k) {
+    for (std::size_t row = 0; row < B::kRows; ++row) numbers_[row * stride_ + k] = 0;
+    numbers_[B::kNormal * stride_ + k] = numbers_[B::kNormalOld * stride_ + k] = 1;
+    numbers_[B::kInverseMass * stride_ + k] = numbers_[B::kTangentialInverse * stride_ + k] = 1;
+    law_row_[k] = 0;
+  }
+  return {numbers_.data(), stride_, law_row_.data(), padded};
+}
+
+// Moment on i: what damps the patch, and the couple of the volume model.
+template <class Real>
+Vec3 PolyhedronContacts<Real>::moment_of(const World<Real>& world,
+                                         const StepConstants<double>& step, std::size_t k) const {
+  using B = BodyContacts;
+  const Lane& lane = lanes_[k];
+  if (!lane.touching) return Vec3::Zero();
+  Vec3 moment = get(B::kReduction, k) * lane.couple;
+  if (!world.patch.damping) return moment;
+  const Index row = law_row_[k];
+  PatchDashpot dashpot;
+  dashpot.normal_damping = step.law.normal_damping[row] / std::sqrt(get(B::kInverseMass, k));
+  dashpot.tangential_damping =
+      step.law.tangential_damping[row] * std::sqrt(3.5 / lane.inverse_tangential);
+  dashpot.sliding_friction = step.law.sliding_friction[row];
+  dashpot.mobility = lane.mobility;
+  dashpot.dt = step.dt;
+  moment += patch_moment(dashpot, get3(B::kNormal, k), get3(B::kSpinI, k) - get3(B::kSpinJ, k),
+                         lane.area, get(B::kNormalForce, k));
+  return moment;
+}
+
+template <class Real>
+void PolyhedronContacts<Real>::finish(World<Real>& world, const StepConstants<double>& step,
+                                      std::vector<PolyhedronWall>& walls,
+                                      std::span<WallTotal> totals, PolyhedronTally& tally) {
+  using B = BodyContacts;
+  for (std::size_t k = 0; k < count_; ++k) {
+    Lane& lane = lanes_[k];
+    const Vec3 force = get3(B::kForce, k), spin = get3(B::kSpinI, k) - get3(B::kSpinJ, k);
+    const Vec3 moment = moment_of(world, step, k);
+    const Vec3 force_old = lane.pair ? lane.pair->force : lane.wall.force;
+    const double reduction = get(B::kReduction, k), half_dt = 0.5 * step.dt;
+    const double stored = lane.pair ? lane.pair->stored : lane.wall.stored;
+    const double pushed = lane.pair ? lane.pair->elastic_force : lane.wall.elastic_force;
+    tally.model_work +=
+        reduction *
+        (half_dt * (lane.elastic_force_old * get3(B::kNormalOld, k).dot(get3(B::kAtOld, k)) +
+                    pushed * get3(B::kNormal, k).dot(get3(B::kAtPoint, k)) +
+                    (lane.couple_old + lane.couple).dot(spin)) +
+         stored - lane.stored_old);
+    ContactTally t;
+    t.work = get(B::kWork, k) + half_dt * (lane.moment_old + moment).dot(spin);
+    t.elastic = get(B::kElastic, k);
+    t.slide = get(B::kSlide, k);
+    t.tangential_damping = get(B::kTangentialDamping, k);
+    t.numerical_loss = get(B::kNumericalLoss, k);
+    t.contacts = lane.touching ? 1 : 0;
+    t.max_overlap = lane.wall.overlap / lane.smaller;
+    t.warnings = t.max_overlap > 0.5 ? 1 : 0;
+    tally.contacts[lane.pair ? 0 : 1].add(t);
+    if (lane.pair) {
+      PolyhedronPair& pair = *lane.pair;
+      pair.touching = lane.touching ? 1 : 0;
+      pair.spring = get3(B::kSpring, k);
+      pair.force = force;
+      pair.moment = moment;
+      pair.normal = lane.touching ? lane.wall.normal : Vec3(Vec3::Zero());
+      pair.overlap = lane.wall.overlap;
+      pair.arm_i = lane.touching ? lane.arm_i : Vec3(Vec3::Zero());
+      pair.arm_j = lane.touching ? lane.arm_j : Vec3(Vec3::Zero());
+      continue;
+    }
+    WallTotal& total = totals[lane.wall.wall];
+    total.work += half_dt * ((force_old + force).dot(lane.wall_velocity) +
+                             (lane.moment_old + moment).dot(get3(B::kSpinJ, k)));
+    if (!lane.touching) continue;
+    lane.wall.spring = get3(B::kSpring, k);
+    lane.wall.force = force;
+    lane.wall.moment = moment;
+    const Vec3 centre = world.bodies[world.walls[lane.wall.wall].body].motion.center;
+    const Vec3 torque = -(lane.wall.point - centre).cross(force) - moment;
+    for (std::size_t a = 0; a < 3; ++a) {
+      total.force[a] -= force[static_cast<Eigen::Index>(a)];
+      total.torque[a] += torque[static_cast<Eigen::Index>(a)];
+    }
+    walls.push_back(lane.wall);
+  }
+}
+
+template BodyState body_state(const World<float>&, std::size_t);
+template BodyState body_state(const World<double>&, std::size_t);
+template ShapePose shape_pose(const World<float>&, std::size_t);
+template ShapePose shape_pose(const World<double>&, std::size_t);
+template Vec3 separation(const World<float>&, const Vec3&);
+template Vec3 separation(const World<double>&, const Vec3&);
+template class PolyhedronContacts<float>;
+template class PolyhedronContacts<double>;
+
+}  // namespace quern

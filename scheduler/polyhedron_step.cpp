@@ -1,0 +1,278 @@
+#include "scheduler/polyhedron_step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "kernels/rotate.h"
+
+namespace quern {
+
+namespace {
+
+// Rows of each of n bodies: begin[k] .. begin[k+1] of `rows`, ascending.
+template <class BodyOf>
+void index_by_body(std::size_t bodies, std::size_t count, const BodyOf& body_of,
+                   std::vector<Index>& begin, std::vector<Index>& rows) {
+  begin.assign(bodies + 1, 0);
+  rows.resize(count);
+  for (std::size_t k = 0; k < count; ++k) ++begin[body_of(k) + 1];
+  for (std::size_t k = 0; k < bodies; ++k) begin[k + 1] += begin[k];
+  std::vector<Index> at(begin.begin(), begin.end() - 1);
+  for (std::size_t k = 0; k < count; ++k) rows[at[body_of(k)]++] = static_cast<Index>(k);
+}
+
+}  // namespace
+
+template <class Real>
+BodyStepper<Real>::BodyStepper(World<Real>& world, const Kernels<Real>& kernels, int threads)
+    : world_(world), kernels_(kernels), narrow_(choose_polyhedron_sphere()) {
+  workers_.resize(static_cast<std::size_t>(threads));
+}
+
+template <class Real>
+void BodyStepper<Real>::prepare(const StepConstants<double>& walls, bool rebuilt) {
+  constants_ = walls;
+  constants_.rolling = false;  // of spheres only
+  stretches_.resize(stretches());
+  for (Stretch& s : stretches_) {
+    s.walls.clear();
+    s.totals.assign(world_.walls.size(), WallTotal());
+    s.tally = PolyhedronTally();
+    s.move = MoveTally();
+  }
+  if (rebuilt || !indexed_) index_lists();
+}
+
+template <class Real>
+void BodyStepper<Real>::index_lists() {
+  const Polyhedra<Real>& p = world_.polyhedra;
+  index_by_body(p.size(), p.pairs.size(), [&](std::size_t k) { return p.pairs[k].i; }, pair_begin_,
+                pair_of_);
+  index_by_body(p.size(), p.spheres.polyhedron.size(),
+                [&](std::size_t k) { return p.spheres.polyhedron[k]; }, group_begin_, group_of_);
+  for (Column<double>& t : torque_) t.reset(p.size());
+  indexed_ = true;
+}
+
+template <class Real>
+void BodyStepper<Real>::run_stretch(std::size_t stretch, int worker) {
+  PolyhedronContacts<Real>& contacts = workers_[static_cast<std::size_t>(worker)].contacts;
+  const std::size_t first = stretch * kStretch;
+  contacts.collect(world_, first, std::min(first + kStretch, world_.polyhedra.size()));
+  kernels_.push_bodies(constants_, contacts.view());
+  Stretch& s = stretches_[stretch];
+  contacts.finish(world_, constants_, s.walls, s.totals, s.tally);
+}
+
+template <class Real>
+GroupLanes BodyStepper<Real>::lanes_for(std::size_t count, Worker& worker) const {
+  constexpr std::size_t kColumns = 11;
+  const std::size_t stride = (count + kShapePad - 1) / kShapePad * kShapePad;
+  if (worker.lanes.size() < kColumns * stride) worker.lanes.resize(kColumns * stride);
+  double* at = worker.lanes.data();
+  const auto next = [&] { return std::exchange(at, at + stride); };
+  GroupLanes lanes{};
+  for (double*& c : lanes.center) c = next();
+  lanes.radius = next();
+  for (double*& c : lanes.normal) c = next();
+  lanes.overlap = next();
+  for (double*& c : lanes.point) c = next();
+  return lanes;
+}
+
+template <class Real>
+void BodyStepper<Real>::run_tile(std::size_t tile, int worker, const TileRows& rows,
+                                 ContactTally& tally) {
+  PolyhedronSphereBatch<Real>& batch = world_.polyhedra.spheres;
+  const Particles<Real>& p = world_.particles;
+  const ParticleView<Real> view = {p.record.data(), p.traits.data()};
+  for (Index g = batch.tile_begin[tile]; g < batch.tile_begin[tile + 1]; ++g) {
+    const Index body = batch.polyhedron[g], slot = batch.begin[g];
+    SphereGroup<Real> group;
+    group.body = body_state(world_, body);
+    group.sphere = batch.sphere.data() + slot;
+    group.numbers = batch.numbers.data() + slot * batch.kHistory;
+    group.count = batch.count[g];
+    group.sums = batch.sums.data() + g * batch.kSums;
+    group.overlap_cap = world_.overlap_cap;
+    const GroupLanes lanes = lanes_for(group.count, workers_[static_cast<std::size_t>(worker)]);
+    kernels_.gather_spheres(constants_, view, group, lanes);
+    PolyhedronSphereGroup near;
+    near.pose = shape_pose(world_, body);
+    near.count = group.count;
+    near.radius = lanes.radius;
+    near.overlap = lanes.overlap;
+    for (int a = 0; a < 3; ++a) {
+      near.center[a] = lanes.center[a];
+      near.normal[a] = lanes.normal[a];
+      near.point[a] = lanes.point[a];
+    }
+    narrow_.touch(near);
+    kernels_.push_spheres(constants_, view, group, lanes, rows, tally);
+  }
+}
+
+template <class Real>
+void BodyStepper<Real>::gather() {
+  std::vector<PolyhedronWall>& walls = world_.polyhedra.walls;
+  walls.clear();
+  for (const Stretch& s : stretches_) walls.insert(walls.end(), s.walls.begin(), s.walls.end());
+}
+
+template <class Real>
+void BodyStepper<Real>::sum_forces(std::size_t body, Vec3& force, Vec3& torque,
+                                   double& contacts) const {
+  const Polyhedra<Real>& p = world_.polyhedra;
+  const auto first_pair =
+      std::lower_bound(p.pairs.begin(), p.pairs.end(), body,
+                       [](const PolyhedronPair& a, std::size_t j) { return a.j < j; });
+  for (auto pair = first_pair; pair != p.pairs.end() && pair->j == body; ++pair) {
+    if (pair->touching == 0) continue;
+    force -= pair->force;
+    torque -= pair->arm_j.cross(pair->force) + pair->moment;
+    contacts += 1;
+  }
+  for (Index k = pair_begin_[body]; k < pair_begin_[body + 1]; ++k) {
+    const PolyhedronPair& pair = p.pairs[pair_of_[k]];
+    if (pair.touching == 0) continue;
+    force += pair.force;
+    torque += pair.arm_i.cross(pair.force) + pair.moment;
+    contacts += 1;
+  }
+  const auto first_wall =
+      std::lower_bound(p.walls.begin(), p.walls.end(), body,
+                       [](const PolyhedronWall& w, std::size_t k) { return w.particle < k; });
+  for (auto wall = first_wall; wall != p.walls.end() && wall->particle == body; ++wall) {
+    force += wall->force;
+    torque += wall->arm.cross(wall->force) + wall->moment;
+    contacts += 1;
+  }
+  for (Index k = group_begin_[body]; k < group_begin_[body + 1]; ++k) {
+    const double* sums = p.spheres.sums.data() + group_of_[k] * p.spheres.kSums;
+    force += Vec3(sums[0], sums[1], sums[2]);
+    torque += Vec3(sums[3], sums[4], sums[5]);
+    contacts += sums[6];
+  }
+}
+
+// Leapfrog of the centre, and what the ledger needs, as kernels/integrate-inl.h does for spheres.
+template <class Real>
+void BodyStepper<Real>::move_body(std::size_t body, const Vec3& force, Stretch& stretch) {
+  Polyhedra<Real>& p = world_.polyhedra;
+  const Clock& clock = world_.clock;
+  const double kick = clock.first_kick != 0 ? 0.5 * clock.dt : clock.dt;
+  const double mass = 1 / p.inverse_mass[body];
+  const Vec3 before = p.velocity(body), x = p.place(body);
+  const Vec3 kicked = before + kick * (p.inverse_mass[body] * force + world_.gravity);
+  const Vec3 velocity = world_.drag * kicked;
+  const Vec3 place = x + clock.dt * velocity;
+  MoveTally& t = stretch.move;
+  t.translational += 0.5 * mass * before.dot(kicked);
+  t.drag_loss += 0.5 * mass * (kicked.squaredNorm() - velocity.squaredNorm());
+  const double listed = static_cast<double>(clock.total_steps + 1 - clock.list_step) * clock.dt;
+  const Vec3 line(p.list_x[body] + listed * static_cast<double>(p.list_vx[body]),
+                  p.list_y[body] + listed * static_cast<double>(p.list_vy[body]),
+                  p.list_z[body] + listed * static_cast<double>(p.list_vz[body]));
+  t.max_deviation2 = std::max(t.max_deviation2, (place - line).squaredNorm());
+  bool inside = true;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const Eigen::Index e = static_cast<Eigen::Index>(a);
+    t.momentum[a] += mass * before[e];
+    t.moment_of_mass[a] += mass * x[e];
+    if (!world_.periodic[a]) {
+      inside = inside && place[e] >= world_.low[e] && place[e] <= world_.high[e];
+    }
+  }
+  if (!inside) t.bad += 1;
+  p.x[body] = place.x();
+  p.y[body] = place.y();
+  p.z[body] = place.z();
+  p.vx[body] = velocity.x();
+  p.vy[body] = velocity.y();
+  p.vz[body] = velocity.z();
+}
+
+// Kick, drag and free rotation of a stretch; torque_ holds the torques.
+template <class Real>
+void BodyStepper<Real>::rotate_stretch(std::size_t first, std::size_t count, Stretch& stretch) {
+  Polyhedra<Real>& p = world_.polyhedra;
+  const double dt = world_.clock.dt;
+  const double kick = world_.clock.first_kick != 0 ? 0.5 * dt : dt;
+  for (std::size_t k = first; k < first + count; ++k) {
+    const Vec3 torque(torque_[0][k], torque_[1][k], torque_[2][k]);
+    const Vec3 before = p.momentum(k), kicked = before + kick * torque;
+    stretch.move.rotational += 0.5 * p.spin(k).dot(kicked);
+    if (world_.drag == 1) continue;
+    const Vec3 dragged = world_.drag * kicked;
+    const Quat q = p.orientation(k);
+    stretch.move.drag_loss +=
+        0.5 * (kicked.dot(spin_of(q, kicked, p.inverse_inertia(k))) -
+               dragged.dot(spin_of(q, dragged, p.inverse_inertia(k))));
+    for (std::size_t a = 0; a < 3; ++a) {
+      const Eigen::Index e = static_cast<Eigen::Index>(a);
+      torque_[a][k] = (dragged[e] - before[e]) / kick;
+    }
+  }
+  RotationView view{};
+  Column<double>* orientation[4] = {&p.qw, &p.qx, &p.qy, &p.qz};
+  Column<double>* momentum[3] = {&p.lx, &p.ly, &p.lz};
+  Column<double>* spin[3] = {&p.wx, &p.wy, &p.wz};
+  Column<double>* inverse[3] = {&p.inverse_ix, &p.inverse_iy, &p.inverse_iz};
+  for (int a = 0; a < 4; ++a) view.orientation[a] = orientation[a]->data() + first;
+  for (int a = 0; a < 3; ++a) {
+    view.momentum[a] = momentum[a]->data() + first;
+    view.spin[a] = spin[a]->data() + first;
+    view.torque[a] = torque_[a].data() + first;
+    view.inverse_inertia[a] = inverse[a]->data() + first;
+  }
+  view.count = count;
+  rotate_bodies(view, kick, dt);
+}
+
+template <class Real>
+void BodyStepper<Real>::move_stretch(std::size_t stretch) {
+  Polyhedra<Real>& p = world_.polyhedra;
+  Stretch& s = stretches_[stretch];
+  const std::size_t first = stretch * kStretch, last = std::min(first + kStretch, p.size());
+  for (std::size_t body = first; body < last; ++body) {
+    Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
+    double contacts = 0;
+    sum_forces(body, force, torque, contacts);
+    for (std::size_t a = 0; a < 3; ++a) torque_[a][body] = torque[static_cast<Eigen::Index>(a)];
+    move_body(body, force, s);
+    p.contacts[body] = static_cast<std::uint32_t>(contacts);
+  }
+  rotate_stretch(first, last - first, s);
+}
+
+template <class Real>
+void BodyStepper<Real>::add_to(ContactTally& pairs, ContactTally& walls, double& model_work,
+                               MoveTally& move, std::vector<WallTotal>& totals) const {
+  for (const Stretch& s : stretches_) {
+    pairs.add(s.tally.contacts[0]);
+    walls.add(s.tally.contacts[1]);
+    model_work += s.tally.model_work;
+    move.translational += s.move.translational;
+    move.rotational += s.move.rotational;
+    move.drag_loss += s.move.drag_loss;
+    move.bad += s.move.bad;
+    move.max_deviation2 = std::max(move.max_deviation2, s.move.max_deviation2);
+    for (std::size_t a = 0; a < 3; ++a) {
+      move.momentum[a] += s.move.momentum[a];
+      move.moment_of_mass[a] += s.move.moment_of_mass[a];
+    }
+    for (std::size_t w = 0; w < totals.size(); ++w) {
+      for (std::size_t a = 0; a < 3; ++a) {
+        totals[w].force[a] += s.totals[w].force[a];
+        totals[w].torque[a] += s.totals[w].torque[a];
+      }
+      totals[w].work += s.totals[w].work;
+    }
+  }
+}
+
+template class BodyStepper<float>;
+template class BodyStepper<double>;
+
+}  // namespace quern

@@ -1,0 +1,69 @@
+// What polyhedra add to a step; nothing of it exists in a scene without them.
+//
+//   beside the tiles   stretches of kStretch bodies: pairs and walls { narrow phase, law }
+//   in each tile       groups of spheres near a polyhedron { gather, narrow phase, law, sums }
+//   after the tiles    stretches: { add up forces in fixed order, move, rotate }
+//
+// A stretch writes its pairs, its own list of wall contacts and its sums; bodies move only after all
+// forces are known. The result does not depend on which thread does what.
+#pragma once
+
+#include <vector>
+
+#include "kernels/pairs/polyhedron_sphere.h"
+#include "kernels/polyhedron_contacts.h"
+
+namespace quern {
+
+inline constexpr std::size_t kStretch = 32;  // bodies
+
+template <class Real>
+class BodyStepper {
+ public:
+  BodyStepper(World<Real>& world, const Kernels<Real>& kernels, int threads);
+
+  std::size_t stretches() const { return (world_.polyhedra.size() + kStretch - 1) / kStretch; }
+  // Constants of this step; lists have been rebuilt or not.
+  void prepare(const StepConstants<double>& walls, bool rebuilt);
+
+  // Contacts among bodies and with walls.
+  void run_stretch(std::size_t stretch, int worker);
+  // Spheres of a tile against bodies.
+  void run_tile(std::size_t tile, int worker, const TileRows& rows, ContactTally& tally);
+  // Before the bodies move: wall contacts of all stretches in order, who has which groups and pairs.
+  void gather();
+  void move_stretch(std::size_t stretch);
+
+  // In order of stretches.
+  void add_to(ContactTally& pairs, ContactTally& walls, double& model_work, MoveTally& move,
+              std::vector<WallTotal>& totals) const;
+
+ private:
+  struct Worker {
+    PolyhedronContacts<Real> contacts;
+    std::vector<double> lanes;  // of a group
+  };
+  struct Stretch {
+    std::vector<PolyhedronWall> walls;
+    std::vector<WallTotal> totals;
+    PolyhedronTally tally;
+    MoveTally move;
+  };
+  GroupLanes lanes_for(std::size_t count, Worker& worker) const;
+  void sum_forces(std::size_t body, Vec3& force, Vec3& torque, double& contacts) const;
+  void move_body(std::size_t body, const Vec3& force, Stretch& stretch);
+  void rotate_stretch(std::size_t first, std::size_t count, Stretch& stretch);
+  void index_lists();
+
+  World<Real>& world_;
+  Kernels<Real> kernels_;
+  PolyhedronSphereKernel narrow_;
+  StepConstants<double> constants_{};
+  std::vector<Worker> workers_;
+  std::vector<Stretch> stretches_;
+  bool indexed_ = false;
+  std::vector<Index> pair_begin_, pair_of_, group_begin_, group_of_;  // of each body: as i; groups
+  Column<double> torque_[3];
+};
+
+}  // namespace quern
