@@ -4,7 +4,7 @@
 // 1/m_n = 1/m + (r x n) . I^-1 (r x n). Of a sphere m_n = m, and 2/7 m along its surface; of a
 // polyhedron the least is taken over its corners and the normals that a contact there can have:
 // those of the faces around it, of the edges between two of them, and along the surface any
-// direction. A rod gets a quarter of its mass, a cube about as much.
+// direction. A cube gets a quarter of its mass, a long square rod 1/5.5.
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// The narrow phases of the step, asked once: polyhedra by their fast way, walls by patches.
 #include "scheduler/body_overlap.h"
 
 #include <algorithm>
