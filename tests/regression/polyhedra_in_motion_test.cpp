@@ -23,7 +23,10 @@ Scene scene_with(const char* name, Overrides overrides, const Overrides& more) {
 }
 
 Scene lab_mill(const Overrides& more) {
-  return scene_with("lab_mill", {"run.tile_size=4", "mill.rotation=60 rpm"}, more);
+  return scene_with("lab_mill",
+                    {"run.tile_size=4", "mill.rotation=60 rpm", "particles.ball.count=200",
+                     "particles.ore.count=200"},
+                    more);
 }
 
 Scene sag_slice(const Overrides& more) {

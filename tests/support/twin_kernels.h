@@ -169,7 +169,8 @@ inline void ledger(const Contact& c, const History& old, const Options& o, const
       r.numerical_loss = 0.5 * t.kn * c.overlap_old * (c.overlap_old - o.dt * t.vn);
     }
   }
-  r.tangential_damping = -0.5 * o.dt * dashpot.dot(t.slip);
+  // Without a dashpot the spring carries all of the force; random histories need not say so.
+  r.tangential_damping = t.ct > 0 ? -0.5 * o.dt * dashpot.dot(t.slip) : 0;
 }
 
 // An upper bound of what one unit in the last place of each intermediate result can do.
