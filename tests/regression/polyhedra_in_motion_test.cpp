@@ -24,8 +24,8 @@ Scene scene_with(const char* name, Overrides overrides, const Overrides& more) {
 
 Scene lab_mill(const Overrides& more) {
   return scene_with("lab_mill",
-                    {"run.tile_size=4", "mill.rotation=60 rpm", "particles.ball.count=200",
-                     "particles.ore.count=200"},
+                    {"run.tile_size=4", "mill.rotation=60 rpm", "particles.ball.count=130",
+                     "particles.ore.count=150"},
                     more);
 }
 
