@@ -3,6 +3,7 @@
 #include "apps/quern/run.h"
 
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <chrono>
@@ -351,7 +352,15 @@ class Run {
   bool stopped_ = false;
 };
 
+// Rebuilds take and give back columns of many megabytes. Left to itself the allocator soon keeps such
+// blocks, in pieces, and the run grows by half; above a megabyte each block is mapped and returned.
+void return_large_blocks() {
+  mallopt(M_MMAP_THRESHOLD, 1 << 20);
+  mallopt(M_TRIM_THRESHOLD, 1 << 20);
+}
+
 int start(LoadedScene loaded, const RunOptions& options, const std::string& checkpoint) {
+  return_large_blocks();
   if (loaded.scene.run.precision == Precision::kDouble) {
     return Run<double>(std::move(loaded), options, checkpoint).go();
   }
