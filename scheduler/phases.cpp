@@ -10,7 +10,9 @@ namespace quern {
 namespace {
 
 constexpr double kTrueLawTime = 0.1;    // s, the end of every settling
-constexpr double kSoftDrag = 4;         // 1/s: falls end at g/4, bounces die within a second
+// 1/s. What was placed close falls at half a metre a second: a ball that lands faster presses fines in
+// so deep that they burst out when the springs stiffen. Rain has far to fall.
+constexpr double kSoftDrag = 20, kRainDrag = 4;
 constexpr double kStiffenTime = 0.25;   // s; a deep bed rises by centimetres while it stiffens
 constexpr int kStiffenStages = 48;      // so many that a stage releases a tenth of the overlap
 constexpr double kStiffenDrag = 20;     // 1/s
@@ -49,7 +51,8 @@ void add_settling(const Scene& scene, double dt, double depth, double rest_energ
   double soft_time = total - kTrueLawTime;
   if (scene.fill.method == FillMethod::kRain) soft_time = std::max(soft_time, scene.fill.over + fall);
   if (soft && soft_time > 0) {
-    plan.push_back({Phase::kSoft, run.soft_stiffness, dt * stretch, kSoftDrag,
+    plan.push_back({Phase::kSoft, run.soft_stiffness, dt * stretch,
+                    scene.fill.method == FillMethod::kRain ? kRainDrag : kSoftDrag,
                     steps_in(soft_time, dt * stretch), until_rest ? rest_energy : 0});
     for (int stage = 1; stage <= kStiffenStages; ++stage) {
       // Slow at the soft end, where the bed rises most and steps are long.
