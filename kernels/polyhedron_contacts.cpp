@@ -103,8 +103,8 @@ void PolyhedronContacts<Real>::push(const Lane& lane, const Side& i, const Side&
   const auto turning = [](const Side& s) {
     return s.state.inverse_mass + s.arm.squaredNorm() * s.state.mobility;
   };
-  const Vec3 at_point = i.state.velocity + i.state.spin.cross(i.arm) - j.state.velocity -
-                        j.state.spin.cross(j.arm);
+  const Vec3 at_point =
+      i.state.velocity + i.state.spin.cross(i.arm) - j.state.velocity - j.state.spin.cross(j.arm);
   put(B::kNormal, w.normal);
   put(B::kOverlap, lane.touching ? w.overlap : 0);
   put(B::kAtPoint, at_point);
@@ -140,8 +140,8 @@ void PolyhedronContacts<Real>::collect_pair(World<Real>& world, PolyhedronPair& 
   axis.gap = pair.gap;
   axis.flags = pair.axis_flags;
   PolyhedronTouch touch{};
-  const bool touching = near && touch_polyhedra(a, b, {world.patch.overlap, world.patch.model},
-                                                axis, touch);
+  const bool touching =
+      near && touch_polyhedra(a, b, {world.patch.overlap, world.patch.model}, axis, touch);
   std::copy_n(axis.axis, 3, pair.axis);
   pair.gap = axis.gap;
   pair.axis_flags = axis.flags;
@@ -188,10 +188,10 @@ void PolyhedronContacts<Real>::collect_wall(World<Real>& world, std::size_t body
   const ShapePose pose = {here.shape, here.scale, turn.transpose() * (here.place - wall.pose.shift),
                           turn.transpose() * here.turn};
   std::array<WallPatch, kMaxWallPatches> patch;
-  const int found = facets.empty() ? 0
-                                   : polyhedron_facet_touches(wall.facets, pose, facets,
-                                                              {world.patch.overlap, 0},
-                                                              patch.data(), kMaxWallPatches);
+  const int found =
+      facets.empty() ? 0
+                     : polyhedron_facet_touches(wall.facets, pose, facets, {world.patch.overlap, 0},
+                                                patch.data(), kMaxWallPatches);
   const std::size_t count = static_cast<std::size_t>(found);
   std::array<Index, kMaxWallPatches> wall_of, feature;
   std::array<Vec3, kMaxWallPatches> normal, point;
@@ -241,8 +241,7 @@ void PolyhedronContacts<Real>::collect_wall(World<Real>& world, std::size_t body
       lane.wall.overlap = now->overlap;
       lane.area = now->area;
     }
-    const Index row =
-        i.state.material * world.materials + world.walls[lane.wall.wall].material;
+    const Index row = i.state.material * world.materials + world.walls[lane.wall.wall].material;
     if (now) {
       // The kernel's moment is about the body's centre; the couple is what the point leaves of it.
       const Vec3 about_point = turn * (now->moment) - lane.wall.arm.cross(turn * now->vector_area);

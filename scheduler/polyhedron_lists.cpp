@@ -66,7 +66,8 @@ void lay_out_spheres(World<Real>& world, const std::vector<Index>& old_of_new,
     std::sort(near[tile].begin(), near[tile].end());
     for (std::size_t k = 0; k < near[tile].size();) {
       std::size_t end = k;
-      while (end < near[tile].size() && near[tile][end].polyhedron == near[tile][k].polyhedron) ++end;
+      while (end < near[tile].size() && near[tile][end].polyhedron == near[tile][k].polyhedron)
+        ++end;
       polyhedron.push_back(near[tile][k].polyhedron);
       count.push_back(static_cast<Index>(end - k));
       begin.push_back(slots);

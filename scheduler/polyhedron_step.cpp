@@ -47,10 +47,11 @@ void BodyStepper<Real>::prepare(const StepConstants<double>& walls, bool rebuilt
 template <class Real>
 void BodyStepper<Real>::index_lists() {
   const Polyhedra<Real>& p = world_.polyhedra;
-  index_by_body(p.size(), p.pairs.size(), [&](std::size_t k) { return p.pairs[k].i; }, pair_begin_,
-                pair_of_);
-  index_by_body(p.size(), p.spheres.polyhedron.size(),
-                [&](std::size_t k) { return p.spheres.polyhedron[k]; }, group_begin_, group_of_);
+  index_by_body(
+      p.size(), p.pairs.size(), [&](std::size_t k) { return p.pairs[k].i; }, pair_begin_, pair_of_);
+  index_by_body(
+      p.size(), p.spheres.polyhedron.size(), [&](std::size_t k) { return p.spheres.polyhedron[k]; },
+      group_begin_, group_of_);
   for (Column<double>& t : torque_) t.reset(p.size());
   indexed_ = true;
 }
@@ -206,9 +207,8 @@ void BodyStepper<Real>::rotate_stretch(std::size_t first, std::size_t count, Str
     if (world_.drag == 1) continue;
     const Vec3 dragged = world_.drag * kicked;
     const Quat q = p.orientation(k);
-    stretch.move.drag_loss +=
-        0.5 * (kicked.dot(spin_of(q, kicked, p.inverse_inertia(k))) -
-               dragged.dot(spin_of(q, dragged, p.inverse_inertia(k))));
+    stretch.move.drag_loss += 0.5 * (kicked.dot(spin_of(q, kicked, p.inverse_inertia(k))) -
+                                     dragged.dot(spin_of(q, dragged, p.inverse_inertia(k))));
     for (std::size_t a = 0; a < 3; ++a) {
       const Eigen::Index e = static_cast<Eigen::Index>(a);
       torque_[a][k] = (dragged[e] - before[e]) / kick;

@@ -399,7 +399,8 @@ void rebuild(World<Real>& world, Graph& graph, RebuildScratch<Real>& s) {
   });
   std::vector<std::vector<CandidatePair>>().swap(s.own);
   std::vector<std::vector<CandidatePair>>().swap(s.imported);
-  // A rebuild is rare and its scratch is as large as the state: it's given back, in time for the slots.
+  // A rebuild is rare and its scratch is as large as the state: it's given back, in time for the
+  // slots.
   s.grid = SearchGrid();
   std::vector<SearchPoint>().swap(s.points);
   lay_out_pairs(world, graph, s);

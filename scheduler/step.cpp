@@ -79,8 +79,8 @@ void Stepper<Real>::run_walls(std::size_t tile, Worker& worker, const TileRows& 
   if (worker.lanes.size() == 0) return;
   const WallContacts contacts = worker.lanes.view(rows.first);
   const Particles<Real>& p = world_.particles;
-  kernels_.walls(wall_constants_, {p.record.data(), p.traits.data()}, contacts,
-                 rows, tile_totals_[tile].walls);
+  kernels_.walls(wall_constants_, {p.record.data(), p.traits.data()}, contacts, rows,
+                 tile_totals_[tile].walls);
   return_wall_contacts(contacts, worker.lanes, world_.walls, world_.bodies, walls, totals);
 }
 
