@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "kernels/rotate.h"
+#include "scheduler/totals.h"
 
 namespace quern {
 
@@ -253,22 +254,8 @@ void BodyStepper<Real>::add_to(ContactTally& pairs, ContactTally& walls, double&
     pairs.add(s.tally.contacts[0]);
     walls.add(s.tally.contacts[1]);
     model_work += s.tally.model_work;
-    move.translational += s.move.translational;
-    move.rotational += s.move.rotational;
-    move.drag_loss += s.move.drag_loss;
-    move.bad += s.move.bad;
-    move.max_deviation2 = std::max(move.max_deviation2, s.move.max_deviation2);
-    for (std::size_t a = 0; a < 3; ++a) {
-      move.momentum[a] += s.move.momentum[a];
-      move.moment_of_mass[a] += s.move.moment_of_mass[a];
-    }
-    for (std::size_t w = 0; w < totals.size(); ++w) {
-      for (std::size_t a = 0; a < 3; ++a) {
-        totals[w].force[a] += s.totals[w].force[a];
-        totals[w].torque[a] += s.totals[w].torque[a];
-      }
-      totals[w].work += s.totals[w].work;
-    }
+    add_move(s.move, move);
+    for (std::size_t w = 0; w < totals.size(); ++w) add_wall(s.totals[w], totals[w]);
   }
 }
 

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "scheduler/totals.h"
+
 namespace quern {
 
 namespace {
@@ -164,23 +166,9 @@ void Stepper<Real>::add_tiles() {
     pairs.add(t.pairs);
     sum.polyhedron_sphere_contacts += t.near_bodies;
     walls.add(t.walls);
-    sum.translational += t.move.translational;
-    sum.rotational += t.move.rotational;
-    sum.drag_loss += t.move.drag_loss;
-    sum.bad += t.move.bad;
-    sum.max_deviation2 = std::max(sum.max_deviation2, t.move.max_deviation2);
-    for (std::size_t a = 0; a < 3; ++a) {
-      sum.momentum[a] += t.move.momentum[a];
-      sum.moment_of_mass[a] += t.move.moment_of_mass[a];
-    }
+    add_move(t.move, sum);
     for (std::size_t w = 0; w < world_.walls.size(); ++w) {
-      const WallTotal& from = tile_walls_[tile * world_.walls.size() + w];
-      WallTotal& to = world_.wall_totals[w];
-      for (std::size_t a = 0; a < 3; ++a) {
-        to.force[a] += from.force[a];
-        to.torque[a] += from.torque[a];
-      }
-      to.work += from.work;
+      add_wall(tile_walls_[tile * world_.walls.size() + w], world_.wall_totals[w]);
     }
   }
   if (bodies_) {
@@ -189,15 +177,7 @@ void Stepper<Real>::add_tiles() {
     bodies_->add_to(pairs, walls, sum.model_work, move, world_.wall_totals);
     sum.polyhedron_pair_contacts = pairs.contacts - before[0];
     sum.polyhedron_wall_contacts = walls.contacts - before[1];
-    sum.translational += move.translational;
-    sum.rotational += move.rotational;
-    sum.drag_loss += move.drag_loss;
-    sum.bad += move.bad;
-    sum.max_deviation2 = std::max(sum.max_deviation2, move.max_deviation2);
-    for (std::size_t a = 0; a < 3; ++a) {
-      sum.momentum[a] += move.momentum[a];
-      sum.moment_of_mass[a] += move.moment_of_mass[a];
-    }
+    add_move(move, sum);
   }
   sum.pair_work = pairs.work;
   sum.wall_contact_work = walls.work;
