@@ -3,10 +3,12 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/candidates.cpp"
 #include <hwy/foreach_target.h>
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "kernels/candidates.h"
 
@@ -15,15 +17,16 @@ namespace quern {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Entries of a block of cells nearer than reach + their own reach, as positions in the level.
-// `found` has room for all entries of the block and a vector more.
+// Entries of a block of cells no smaller than `radius` and nearer than reach + their own reach, as
+// positions in the level. `found` has room for all entries of the level and a vector more.
 std::size_t near_entries(const GridLevel& level, const CellBlock& block, const float* centre,
-                         float reach, std::int32_t* found) {
+                         float radius, float reach, std::int32_t* found) {
   const hn::ScalableTag<float> d;
   const hn::RebindToSigned<decltype(d)> di;
   const std::size_t lanes = hn::Lanes(d);
   const auto cx = hn::Set(d, centre[0]), cy = hn::Set(d, centre[1]), cz = hn::Set(d, centre[2]);
-  const auto r = hn::Set(d, reach);
+  const auto r = hn::Set(d, reach), smallest = hn::Set(d, radius);
+  const auto iota = hn::Iota(di, 0);
   std::size_t n = 0;
   for (int z = block.low[2]; z <= block.high[2]; ++z) {
     for (int y = block.low[1]; y <= block.high[1]; ++y) {
@@ -36,10 +39,13 @@ std::size_t near_entries(const GridLevel& level, const CellBlock& block, const f
         const auto dz = hn::Sub(hn::LoadU(d, level.z.data() + at), cz);
         const auto sum = hn::Add(hn::LoadU(d, level.reach_of.data() + at), r);
         const auto d2 = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz)));
-        const auto near = hn::And(hn::FirstN(d, end - at), hn::Lt(d2, hn::Mul(sum, sum)));
-        if (hn::AllFalse(d, near)) continue;
-        const auto index = hn::Iota(di, static_cast<std::int32_t>(at));
-        n += hn::CompressStore(index, hn::RebindMask(di, near), di, found + n);
+        const auto larger = hn::Ge(hn::LoadU(d, level.radius.data() + at), smallest);
+        const auto near = hn::And(hn::And(hn::FirstN(d, end - at), larger),
+                                  hn::Lt(d2, hn::Mul(sum, sum)));
+        // Packed in a register: packing on the way to memory is slow on some processors.
+        const auto index = hn::Add(iota, hn::Set(di, static_cast<std::int32_t>(at)));
+        hn::StoreU(hn::Compress(index, hn::RebindMask(di, near)), di, found + n);
+        n += hn::CountTrue(d, near);
       }
     }
   }
@@ -60,15 +66,16 @@ namespace {
 constexpr int kMaxLevels = 16;
 
 int level_of(double radius, double smallest) {
-  const int level = static_cast<int>(std::floor(std::log2(radius / smallest) + 1e-9));
-  return std::clamp(level, 0, kMaxLevels - 1);
+  int level = 0;
+  for (double end = 2 * smallest; radius >= end && level < kMaxLevels - 1; end *= 2) ++level;
+  return level;
 }
 
 double reach_of(const SearchPoint& p) { return p.radius + static_cast<double>(p.half_path); }
 
 struct Entry {
   Index particle;
-  float x, y, z, reach;
+  float x, y, z, reach, radius;
 };
 
 // The particle in the middle of the window and its images across periodic faces nearer than `reach`.
@@ -95,15 +102,15 @@ void append_entries(const SearchInput& in, std::size_t p, double reach,
         to.push_back({static_cast<Index>(p), static_cast<float>(at[0] + shift[0][kx] - low[0]),
                       static_cast<float>(at[1] + shift[1][ky] - low[1]),
                       static_cast<float>(at[2] + shift[2][kz] - low[2]),
-                      static_cast<float>(own)});
+                      static_cast<float>(own), static_cast<float>(point.radius)});
       }
     }
   }
 }
 
 int cell_along(const GridLevel& level, int axis, double offset) {
-  const int c = static_cast<int>(std::floor(offset / level.cell));
-  return std::clamp(c, 0, level.count[static_cast<std::size_t>(axis)] - 1);
+  const double last = level.count[static_cast<std::size_t>(axis)] - 1;
+  return static_cast<int>(std::clamp(offset * level.inverse_cell, 0.0, last));
 }
 
 // Counting sort of the entries into cells.
@@ -125,7 +132,9 @@ void sort_into_cells(const std::vector<Entry>& entries, GridLevel& level) {
   }
   for (std::size_t c = 0; c < cells; ++c) level.begin[c + 1] += level.begin[c];
   level.particle.reset(entries.size());
-  for (Column<float>* c : {&level.x, &level.y, &level.z, &level.reach_of}) c->reset(entries.size());
+  for (Column<float>* c : {&level.x, &level.y, &level.z, &level.reach_of, &level.radius}) {
+    c->reset(entries.size());
+  }
   for (std::size_t e = entries.size(); e-- > 0;) {
     // Backwards, moving each cell's end down to its begin: entries keep their order in a cell.
     const Index at = --level.begin[cell[e] + 1];
@@ -134,6 +143,7 @@ void sort_into_cells(const std::vector<Entry>& entries, GridLevel& level) {
     level.y[at] = entries[e].y;
     level.z[at] = entries[e].z;
     level.reach_of[at] = entries[e].reach;
+    level.radius[at] = entries[e].radius;
   }
   // begin[c + 1] now holds the begin of cell c.
   for (std::size_t c = 0; c < cells; ++c) level.begin[c] = level.begin[c + 1];
@@ -141,7 +151,7 @@ void sort_into_cells(const std::vector<Entry>& entries, GridLevel& level) {
   // Lanes beyond the last entry are masked but loaded.
   for (std::size_t k = 0; k < 16; ++k) {
     level.x[entries.size() + k] = level.y[entries.size() + k] = level.z[entries.size() + k] = 0;
-    level.reach_of[entries.size() + k] = 0;
+    level.reach_of[entries.size() + k] = level.radius[entries.size() + k] = 0;
   }
 }
 
@@ -159,6 +169,7 @@ void size_cells(const SearchInput& in, std::size_t entries, double largest, doub
       level.count[a] = static_cast<int>(std::min(n, 1e6));
       cells *= n;
     }
+    level.inverse_cell = 1 / level.cell;
     if (cells <= most) return;
     level.cell *= 1.26;
   }
@@ -170,7 +181,7 @@ bool meets(const SearchInput& in, const SearchPoint& i, const SearchPoint& j) {
   for (std::size_t a = 0; a < 3; ++a) {
     double dx = i.x[a] - j.x[a];
     const double period = in.box.period[a];
-    if (period > 0) dx -= period * std::nearbyint(dx / period);
+    if (period > 0) dx = nearest_image(dx, period);
     const double dv = static_cast<double>(i.v[a]) - static_cast<double>(j.v[a]);
     xv += dx * dv;
     vv += dv * dv;
@@ -238,7 +249,10 @@ void build_grid(const SearchInput& in, SearchGrid& grid) {
 
 void find_candidates(const SearchInput& in, const SearchGrid& grid, Index first, Index last,
                      std::vector<CandidatePair>& out) {
-  std::vector<std::int32_t> found(1024);
+  std::size_t most = 0;
+  for (const GridLevel& level : grid.levels) most = std::max(most, level.particle.size());
+  // Only what is found is ever touched.
+  const auto found = std::make_unique_for_overwrite<std::int32_t[]>(most + 64);
   for (Index i = first; i < last; ++i) {
     const SearchPoint& mine = in.point[i];
     const std::size_t begin = out.size();
@@ -257,10 +271,12 @@ void find_candidates(const SearchInput& in, const SearchGrid& grid, Index first,
         block.low[a] = cell_along(level, static_cast<int>(a), at - reach);
         block.high[a] = cell_along(level, static_cast<int>(a), at + reach);
       }
-      const std::size_t most = level.entries(block) + 64;
-      if (found.size() < most) found.resize(2 * most);
       const std::size_t n = HWY_DYNAMIC_DISPATCH(near_entries)(
-          level, block, centre, static_cast<float>(own), found.data());
+          level, block, centre, static_cast<float>(mine.radius), static_cast<float>(own),
+          found.get());
+      for (std::size_t k = 0; k < n; ++k) {
+        hwy::Prefetch(in.point + level.particle[static_cast<std::size_t>(found[k])]);
+      }
       for (std::size_t k = 0; k < n; ++k) {
         const Index j = level.particle[static_cast<std::size_t>(found[k])];
         const SearchPoint& other = in.point[j];

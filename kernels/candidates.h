@@ -32,29 +32,18 @@ struct CellBlock {
 // conservative reject only.
 struct GridLevel {
   double cell = 0;            // m
+  double inverse_cell = 0;    // 1/m
   double reach = 0;           // m, largest radius + half path + slack of an entry
   std::array<double, 3> low{};
   std::array<int, 3> count{};
   Column<Index> begin;        // cells + 1
   Column<Index> particle;     // index in the current order
-  Column<float> x, y, z, reach_of;  // reach of each entry: radius + half path
+  Column<float> x, y, z, reach_of, radius;  // reach of each entry: radius + half path
 
   std::size_t row(int y_cell, int z_cell) const {
     return (static_cast<std::size_t>(z_cell) * static_cast<std::size_t>(count[1]) +
             static_cast<std::size_t>(y_cell)) *
            static_cast<std::size_t>(count[0]);
-  }
-  // Entries in a block of cells.
-  std::size_t entries(const CellBlock& block) const {
-    std::size_t n = 0;
-    for (int z_cell = block.low[2]; z_cell <= block.high[2]; ++z_cell) {
-      for (int y_cell = block.low[1]; y_cell <= block.high[1]; ++y_cell) {
-        const std::size_t at = row(y_cell, z_cell);
-        n += begin[at + static_cast<std::size_t>(block.high[0]) + 1] -
-             begin[at + static_cast<std::size_t>(block.low[0])];
-      }
-    }
-    return n;
   }
 };
 
@@ -80,6 +69,12 @@ struct SearchInput {
   double window;  // s
   double slack;   // m
 };
+
+// Difference of two places inside a period, as the nearest image has it.
+inline double nearest_image(double dx, double period) {
+  if (dx > 0.5 * period) return dx - period;
+  return dx < -0.5 * period ? dx + period : dx;
+}
 
 struct CandidatePair {
   Index i, j;

@@ -34,29 +34,34 @@ HWY_INLINE auto to_index(V v) {
 }
 
 #if QUERN_ROWS_IN_REGISTERS
-// Eight 64-byte records turned in registers: a third of the cost of ten gathers.
-HWY_INLINE void load_rows(const ParticleView<float>& p, const Index* lane, PartnerV<float>& out) {
+// Eight 64-byte records turned in registers: a third of the cost of ten gathers. The last two columns
+// hold (wx, wy) and (wz, radius) as pairs of f32.
+HWY_INLINE void load_columns(const Record<float>* record, const Index* lane, V64 (&c)[8]) {
   // Halves of two records are loaded into one register, in the order that leaves the lanes sorted
   // after two rounds of shuffles instead of three.
   const auto pair = [&](int low, int high, int half) HWY_ATTR {
-    const double* a = reinterpret_cast<const double*>(p.record + lane[low]) + 4 * half;
-    const double* b = reinterpret_cast<const double*>(p.record + lane[high]) + 4 * half;
+    const double* a = reinterpret_cast<const double*>(record + lane[low]) + 4 * half;
+    const double* b = reinterpret_cast<const double*>(record + lane[high]) + 4 * half;
     return _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_load_pd(a)), _mm256_load_pd(b), 1);
   };
-  V64 c[8];
-  for (int half = 0; half < 2; ++half) {
+  const auto turn = [&](int half, V64* to) HWY_ATTR {
     const __m512d r02 = pair(0, 2, half), r13 = pair(1, 3, half);
     const __m512d r46 = pair(4, 6, half), r57 = pair(5, 7, half);
     const __m512d even_a = _mm512_unpacklo_pd(r02, r13), odd_a = _mm512_unpackhi_pd(r02, r13);
     const __m512d even_b = _mm512_unpacklo_pd(r46, r57), odd_b = _mm512_unpackhi_pd(r46, r57);
-    c[4 * half + 0] = V64{_mm512_shuffle_f64x2(even_a, even_b, 0x88)};
-    c[4 * half + 1] = V64{_mm512_shuffle_f64x2(odd_a, odd_b, 0x88)};
-    c[4 * half + 2] = V64{_mm512_shuffle_f64x2(even_a, even_b, 0xdd)};
-    c[4 * half + 3] = V64{_mm512_shuffle_f64x2(odd_a, odd_b, 0xdd)};
-  }
+    to[0] = V64{_mm512_shuffle_f64x2(even_a, even_b, 0x88)};
+    to[1] = V64{_mm512_shuffle_f64x2(odd_a, odd_b, 0x88)};
+    to[2] = V64{_mm512_shuffle_f64x2(even_a, even_b, 0xdd)};
+    to[3] = V64{_mm512_shuffle_f64x2(odd_a, odd_b, 0xdd)};
+  };
+  turn(0, c);
+  turn(1, c + 4);
+}
+HWY_INLINE void load_rows(const ParticleView<float>& p, const Index* lane, PartnerV<float>& out) {
+  V64 c[8];
+  load_columns(p.record, lane, c);
   out.place = {c[0], c[1], c[2]};
   out.velocity = {c[3], c[4], c[5]};
-  // c[6] holds (wx, wy), c[7] holds (wz, radius) as pairs of f32.
   const __m512i low = _mm512_castpd_si512(c[6].raw), high = _mm512_castpd_si512(c[7].raw);
   const auto even = [](__m512i v) {
     return hn::Vec<HalfLanes<float>>{_mm256_castsi256_ps(_mm512_cvtepi64_epi32(v))};
@@ -101,9 +106,9 @@ HWY_INLINE void load_traits(const Traits<double>* traits, const Index* lane, Par
   out.inverse_mass = hn::GatherIndex(D64(), &traits->inverse_mass, at);
   set_tag(hn::GatherIndex(d, reinterpret_cast<const std::int64_t*>(&traits->tag), at), out);
 }
-HWY_INLINE void load_traits(const Traits<float>* traits, const Index* lane, PartnerV<float>& out) {
-  const D64I d;
 #if QUERN_ROWS_IN_REGISTERS
+// Mass and tag of eight particles as eight f64 lanes.
+HWY_INLINE V64 load_traits_bits(const Traits<float>* traits, const Index* lane) {
   const auto two = [&](int low) HWY_ATTR {
     const double* a = reinterpret_cast<const double*>(traits + lane[low]);
     const double* b = reinterpret_cast<const double*>(traits + lane[low + 1]);
@@ -111,12 +116,16 @@ HWY_INLINE void load_traits(const Traits<float>* traits, const Index* lane, Part
   };
   const __m256d low = _mm256_insertf128_pd(_mm256_castpd128_pd256(two(0)), two(2), 1);
   const __m256d high = _mm256_insertf128_pd(_mm256_castpd128_pd256(two(4)), two(6), 1);
-  const hn::Vec<D64I> both{
-      _mm512_castpd_si512(_mm512_insertf64x4(_mm512_castpd256_pd512(low), high, 1))};
+  return V64{_mm512_insertf64x4(_mm512_castpd256_pd512(low), high, 1)};
+}
+#endif
+HWY_INLINE void load_traits(const Traits<float>* traits, const Index* lane, PartnerV<float>& out) {
+#if QUERN_ROWS_IN_REGISTERS
+  const auto both = load_traits_bits(traits, lane);
 #else
   const auto both = hn::GatherIndex(
-      d, reinterpret_cast<const std::int64_t*>(traits),
-      hn::PromoteTo(d, hn::BitCast(D32I(), hn::LoadU(D32U(), lane))));
+      D64I(), reinterpret_cast<const std::int64_t*>(traits),
+      hn::PromoteTo(D64I(), hn::BitCast(D32I(), hn::LoadU(D32U(), lane))));
 #endif
   // The low half of each lane is the inverse mass, the high half is the tag.
   const auto bits = hn::BitCast(hn::RebindToUnsigned<D64>(), both);
@@ -138,6 +147,57 @@ HWY_INLINE PartnerV<Real> load_partner(const ParticleView<Real>& p, const Index*
 #endif
   load_traits(p.traits, lane, out);
   return out;
+}
+
+// A full vector of partners of Real lanes: what stays f64 in halves.
+template <class Real>
+struct PartnersV {
+  using V = hn::Vec<Lanes<Real>>;
+  Vec3V<hn::Vec<D64>> place[2], velocity[2];
+  Vec3V<V> spin;
+  V radius, inverse_mass, contacts;
+  hn::Vec<hn::RebindToSigned<Lanes<Real>>> material;
+};
+
+template <class Real>
+HWY_INLINE void load_partners(const ParticleView<Real>& p, const Index* lane, PartnersV<Real>& out) {
+#if QUERN_ROWS_IN_REGISTERS
+  if constexpr (sizeof(Real) == sizeof(float)) {
+    const Lanes<float> d;
+    V64 low[8], high[8];
+    load_columns(p.record, lane, low);
+    load_columns(p.record, lane + 8, high);
+    out.place[0] = {low[0], low[1], low[2]};
+    out.place[1] = {high[0], high[1], high[2]};
+    out.velocity[0] = {low[3], low[4], low[5]};
+    out.velocity[1] = {high[3], high[4], high[5]};
+    const auto even = [&](V64 l, V64 h) HWY_ATTR {
+      return hn::ConcatEven(d, hn::BitCast(d, h), hn::BitCast(d, l));
+    };
+    const auto odd = [&](V64 l, V64 h) HWY_ATTR {
+      return hn::ConcatOdd(d, hn::BitCast(d, h), hn::BitCast(d, l));
+    };
+    out.spin = {even(low[6], high[6]), odd(low[6], high[6]), even(low[7], high[7])};
+    out.radius = odd(low[7], high[7]);
+    const V64 traits[2] = {load_traits_bits(p.traits, lane), load_traits_bits(p.traits, lane + 8)};
+    out.inverse_mass = even(traits[0], traits[1]);
+    const auto tag = hn::BitCast(hn::RebindToSigned<Lanes<float>>(), odd(traits[0], traits[1]));
+    out.material = hn::And(tag, hn::Set(hn::DFromV<decltype(tag)>(), 0xffff));
+    out.contacts = hn::ConvertTo(d, hn::ShiftRight<16>(tag));
+    return;
+  }
+#endif
+  const PartnerV<Real> low = load_partner(p, lane);
+  const PartnerV<Real> high = kHalves<Real> == 1 ? low : load_partner(p, lane + hn::MaxLanes(D64()));
+  out.place[0] = low.place;
+  out.place[1] = high.place;
+  out.velocity[0] = low.velocity;
+  out.velocity[1] = high.velocity;
+  out.spin = join<Real>(low.spin, high.spin);
+  out.radius = join<Real>(low.radius, high.radius);
+  out.inverse_mass = join<Real>(low.inverse_mass, high.inverse_mass);
+  out.contacts = join<Real>(low.contacts, high.contacts);
+  out.material = join<Real>(low.material, high.material);
 }
 
 // Vectors of three: as three columns, or as three runs `stride` numbers apart.

@@ -11,7 +11,7 @@ namespace quern {
 namespace {
 
 constexpr std::uint64_t kShortestWindow = 4, kLongestWindow = 4000;
-constexpr std::uint64_t kShortLife = 25, kLongLife = 60;  // steps
+constexpr std::uint64_t kShortLife = 25, kLongLife = 120;  // steps
 // A big ball has hundreds of small partners in other tiles: it takes several lanes.
 constexpr Index kLongestImport = 12;
 constexpr std::size_t kChunk = 4096;  // particles per task where order does not matter
@@ -148,7 +148,7 @@ double gap_of(const SearchInput& in, Index i, Index j) {
   double d2 = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     double dx = a.x[k] - b.x[k];
-    if (in.box.period[k] > 0) dx -= in.box.period[k] * std::nearbyint(dx / in.box.period[k]);
+    if (in.box.period[k] > 0) dx = nearest_image(dx, in.box.period[k]);
     d2 += dx * dx;
   }
   return std::sqrt(d2) - a.radius - b.radius;

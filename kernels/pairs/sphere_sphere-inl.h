@@ -23,91 +23,86 @@ HWY_INLINE hn::Vec<D64> nearest_image(hn::Vec<D64> dx, double period, double inv
   return hn::NegMulAdd(turns, hn::Set(d, period), dx);
 }
 
-// Geometry of one f64 vector of pairs: what needs more than f32.
-template <class Real>
+// Geometry of a vector of pairs, i from j: what needs more than f32, rounded after the difference.
+template <class V>
 struct SeparationV {
-  Vec3V<hn::Vec<HalfLanes<Real>>> place, velocity;  // of i from j, rounded after the difference
-  hn::Vec<HalfLanes<Real>> reach, d2, gap2;         // R, d^2, R^2 - d^2
+  Vec3V<V> place, velocity;
+  V d2, gap2;  // d^2, R^2 - d^2
 };
 
-template <class Real>
-HWY_INLINE SeparationV<Real> separate(const StepConstants<Real>& step, const PartnerV<Real>& a,
-                                      const PartnerV<Real>& b) {
+template <class Real, std::size_t half>
+HWY_INLINE SeparationV<hn::Vec<HalfLanes<Real>>> separate(const StepConstants<Real>& step,
+                                                          const PartnersV<Real>& a,
+                                                          const PartnersV<Real>& b) {
   using V64 = hn::Vec<D64>;
-  Vec3V<V64> dx = a.place - b.place;
+  Vec3V<V64> dx = a.place[half] - b.place[half];
   if (step.period[0] > 0) dx.x = nearest_image(dx.x, step.period[0], step.inverse_period[0]);
   if (step.period[1] > 0) dx.y = nearest_image(dx.y, step.period[1], step.inverse_period[1]);
   if (step.period[2] > 0) dx.z = nearest_image(dx.z, step.period[2], step.inverse_period[2]);
-  const V64 reach = hn::Add(to_f64(a.radius), to_f64(b.radius));
+  const V64 reach = hn::Add(half_f64<Real, half>(a.radius), half_f64<Real, half>(b.radius));
   const V64 d2 = dot(dx, dx);
-  return {to_real<Real>(dx), to_real<Real>(a.velocity - b.velocity), to_real<Real>(reach),
-          to_real<Real>(d2), to_real<Real>(hn::MulSub(reach, reach, d2))};
+  return {to_real<Real>(dx), to_real<Real>(a.velocity[half] - b.velocity[half]), to_real<Real>(d2),
+          to_real<Real>(hn::MulSub(reach, reach, d2))};
+}
+template <class Real>
+HWY_INLINE SeparationV<hn::Vec<Lanes<Real>>> separate(const StepConstants<Real>& step,
+                                                      const PartnersV<Real>& a,
+                                                      const PartnersV<Real>& b) {
+  const auto low = separate<Real, 0>(step, a, b);
+  const auto high = separate<Real, kHalves<Real> - 1>(step, a, b);
+  return {join<Real>(low.place, high.place), join<Real>(low.velocity, high.velocity),
+          join<Real>(low.d2, high.d2), join<Real>(low.gap2, high.gap2)};
 }
 
 // Unit vectors and overlaps (R^2 - d^2) / (R + d), now and a step ago, by two divisions. A step ago
 // the squares were smaller by dt v.(2 x - dt v): a small difference, right to a rounding of itself.
-template <class Real, class V = hn::Vec<Lanes<Real>>>
-HWY_INLINE void set_geometry(const SeparationV<Real> (&s)[2], V dt, TouchV<V>& t,
-                             Vec3V<V>& velocity, V& reach) {
-  const Lanes<Real> d;
-  const V one = hn::Set(d, 1), tiny = hn::Set(d, Real(1e-25));
-  const auto both = [&](const auto& pick) HWY_ATTR { return join<Real>(pick(0), pick(1)); };
-  reach = both([&](int h) HWY_ATTR { return s[h].reach; });
-  velocity = both([&](int h) HWY_ATTR { return s[h].velocity; });
-  const Vec3V<V> place = both([&](int h) HWY_ATTR { return s[h].place; });
-  const Vec3V<V> place_old = add_scaled(place, hn::Neg(dt), velocity);
-  const V d2 = both([&](int h) HWY_ATTR { return s[h].d2; });
-  const V gap2 = both([&](int h) HWY_ATTR { return s[h].gap2; });
-  const V came = hn::Mul(dt, dot(velocity, place + place_old));
-  const V gap2_old = hn::Add(gap2, came);
-  const V now = hn::Sqrt(hn::Max(d2, tiny)), old = hn::Sqrt(hn::Max(hn::Sub(d2, came), tiny));
+template <class V>
+HWY_INLINE void set_geometry(const SeparationV<V>& s, V reach, V dt, TouchV<V>& t) {
+  const hn::DFromV<V> d;
+  const V one = hn::Set(d, 1), tiny = hn::Set(d, hn::TFromV<V>(1e-25));
+  const Vec3V<V> place_old = add_scaled(s.place, hn::Neg(dt), s.velocity);
+  const V came = hn::Mul(dt, dot(s.velocity, s.place + place_old));
+  const V gap2_old = hn::Add(s.gap2, came);
+  const V now = hn::Sqrt(hn::Max(s.d2, tiny)), old = hn::Sqrt(hn::Max(hn::Sub(s.d2, came), tiny));
   const V inverse = hn::Div(one, hn::Mul(now, old));
-  t.normal = scale(hn::Mul(inverse, old), place);
+  t.normal = scale(hn::Mul(inverse, old), s.place);
   t.normal_old = scale(hn::Mul(inverse, now), place_old);
   const V sum_now = hn::Add(reach, now), sum_old = hn::Add(reach, old);
   const V inverse_sums = hn::Div(one, hn::Mul(sum_now, sum_old));
-  t.overlap = hn::Mul(gap2, hn::Mul(inverse_sums, sum_old));
+  t.overlap = hn::Mul(s.gap2, hn::Mul(inverse_sums, sum_old));
   t.overlap_old = hn::Mul(gap2_old, hn::Mul(inverse_sums, sum_now));
 }
 
 // Both partners of a full vector of pairs as the law sees them.
 template <class Real, class V = hn::Vec<Lanes<Real>>>
-HWY_INLINE TouchV<V> touch_of(const StepConstants<Real>& step, const PartnerV<Real> (&a)[2],
-                              const PartnerV<Real> (&b)[2], const SeparationV<Real> (&s)[2],
-                              V& radius_i, V& arm_i, V& arm_j) {
+HWY_INLINE TouchV<V> touch_of(const StepConstants<Real>& step, const PartnersV<Real>& a,
+                              const PartnersV<Real>& b, const SeparationV<V>& s, V& arm_i,
+                              V& arm_j) {
   const Lanes<Real> d;
-  const auto both = [&](const auto& pick) HWY_ATTR { return join<Real>(pick(0), pick(1)); };
   TouchV<V> t;
-  V reach;
-  Vec3V<V> velocity;
-  set_geometry<Real>(s, hn::Set(d, static_cast<Real>(step.dt)), t, velocity, reach);
-  t.normal_velocity = dot(t.normal, velocity);
-  t.spin_i = both([&](int h) HWY_ATTR { return a[h].spin; });
-  t.spin_j = both([&](int h) HWY_ATTR { return b[h].spin; });
+  const V reach = hn::Add(a.radius, b.radius);
+  set_geometry(s, reach, hn::Set(d, static_cast<Real>(step.dt)), t);
+  t.normal_velocity = dot(t.normal, s.velocity);
+  t.spin_i = a.spin;
+  t.spin_j = b.spin;
   const V half = hn::Set(d, Real(0.5));
-  radius_i = both([&](int h) HWY_ATTR { return a[h].radius; });
-  const V radius_j = both([&](int h) HWY_ATTR { return b[h].radius; });
-  arm_i = hn::NegMulAdd(half, t.overlap, radius_i);
-  arm_j = hn::NegMulAdd(half, t.overlap, radius_j);
-  const V arm_i_old = hn::NegMulAdd(half, t.overlap_old, radius_i);
-  const V arm_j_old = hn::NegMulAdd(half, t.overlap_old, radius_j);
-  const Vec3V<V> rim = add_scaled(scale(arm_i, t.spin_i), arm_j, t.spin_j);
-  const Vec3V<V> rim_old = add_scaled(scale(arm_i_old, t.spin_i), arm_j_old, t.spin_j);
-  t.at_point = velocity - cross(rim, t.normal);
-  t.at_old = velocity - cross(rim_old, t.normal_old);
-  const V mass_i = both([&](int h) HWY_ATTR { return a[h].inverse_mass; });
-  const V mass_j = both([&](int h) HWY_ATTR { return b[h].inverse_mass; });
-  const V count_i = both([&](int h) HWY_ATTR { return a[h].contacts; });
-  const V count_j = both([&](int h) HWY_ATTR { return b[h].contacts; });
-  t.inverse_mass = hn::Add(mass_i, mass_j);
-  t.count_rate = hn::MulAdd(count_i, mass_i, hn::Mul(count_j, mass_j));
-  t.contacts = hn::Add(count_i, count_j);
+  arm_i = hn::NegMulAdd(half, t.overlap, a.radius);
+  arm_j = hn::NegMulAdd(half, t.overlap, b.radius);
+  const V arm_i_old = hn::NegMulAdd(half, t.overlap_old, a.radius);
+  const V arm_j_old = hn::NegMulAdd(half, t.overlap_old, b.radius);
+  const Vec3V<V> rim = add_scaled(scale(arm_i, a.spin), arm_j, b.spin);
+  const Vec3V<V> rim_old = add_scaled(scale(arm_i_old, a.spin), arm_j_old, b.spin);
+  t.at_point = s.velocity - cross(rim, t.normal);
+  t.at_old = s.velocity - cross(rim_old, t.normal_old);
+  t.inverse_mass = hn::Add(a.inverse_mass, b.inverse_mass);
+  t.count_rate = hn::MulAdd(a.contacts, a.inverse_mass, hn::Mul(b.contacts, b.inverse_mass));
+  t.contacts = hn::Add(a.contacts, b.contacts);
   t.rolling_radius = t.inverse_inertia = hn::Zero(d);
   if (!step.rolling) return t;
-  t.rolling_radius = hn::Div(hn::Mul(radius_i, radius_j), reach);
+  t.rolling_radius = hn::Div(hn::Mul(a.radius, b.radius), reach);
   t.inverse_inertia = hn::Mul(hn::Set(d, Real(2.5)),
-                              hn::Add(hn::Div(mass_i, hn::Mul(radius_i, radius_i)),
-                                      hn::Div(mass_j, hn::Mul(radius_j, radius_j))));
+                              hn::Add(hn::Div(a.inverse_mass, hn::Mul(a.radius, a.radius)),
+                                      hn::Div(b.inverse_mass, hn::Mul(b.radius, b.radius))));
   return t;
 }
 
@@ -143,7 +138,7 @@ HWY_INLINE void add_to_partners(const Vec3V<V>& force, const Vec3V<V>& torque, V
 // What one row of a block needs beside its partners.
 template <class Real>
 struct BlockV {
-  PartnerV<Real> owner[2];
+  PartnersV<Real> owner;
   hn::Vec<hn::RebindToSigned<Lanes<Real>>> index;
   OwnerSums<Real> sums;
   TallyV<hn::Vec<Lanes<Real>>> tally;
@@ -159,13 +154,10 @@ HWY_INLINE void sphere_sphere_row(const StepConstants<Real>& step, const Particl
   using V = hn::Vec<Lanes<Real>>;
   constexpr std::size_t kHalf = hn::MaxLanes(D64());
   const V zero = hn::Zero(d);
-  PartnerV<Real> other[2];
-  SeparationV<Real> s[2];
-  for (std::size_t h = 0; h < kHalves<Real>; ++h) {
-    other[h] = load_partner(p, partner + h * kHalf);
-    s[h] = kOwn ? separate(step, block.owner[h], other[h]) : separate(step, other[h], block.owner[h]);
-  }
-  const V gap2 = join<Real>(s[0].gap2, s[1].gap2);
+  PartnersV<Real> other;
+  load_partners(p, partner, other);
+  const PartnersV<Real>&a = kOwn ? block.owner : other, &b = kOwn ? other : block.owner;
+  const SeparationV<V> s = separate(step, a, b);
   HistoryV<V> old;
   old.spring = load3<V>(numbers, kPairPad);
   old.force = load3<V>(numbers + 3 * kPairPad, kPairPad);
@@ -173,27 +165,23 @@ HWY_INLINE void sphere_sphere_row(const StepConstants<Real>& step, const Particl
       hn::Add(hn::Abs(old.force.x), hn::Add(hn::Abs(old.force.y), hn::Abs(old.force.z)));
   // An empty lane pairs a particle with itself: gap = R^2 there, so ask for two distinct partners.
   const auto distinct = hn::RebindMask(d, hn::Ne(block.index, load_index<Real>(partner)));
-  const auto touching = hn::And(distinct, hn::Gt(gap2, zero));
+  const auto touching = hn::And(distinct, hn::Gt(s.gap2, zero));
   if (hn::AllFalse(d, hn::Or(touching, hn::Gt(any_force, zero)))) return;
 
-  const PartnerV<Real>(&a)[2] = kOwn ? block.owner : other;
-  const PartnerV<Real>(&b)[2] = kOwn ? other : block.owner;
-  V radius_i, arm_i, arm_j;
-  const TouchV<V> t = touch_of<Real>(step, a, b, s, radius_i, arm_i, arm_j);
+  V arm_i, arm_j;
+  const TouchV<V> t = touch_of<Real>(step, a, b, s, arm_i, arm_j);
   old.moment = {zero, zero, zero};
   if (step.rolling) old.moment = load3<V>(numbers + 6 * kPairPad, kPairPad);
-  const auto material_i = join<Real>(a[0].material, a[1].material);
-  const auto material_j = join<Real>(b[0].material, b[1].material);
   using Row = hn::RebindToSigned<Lanes<Real>>;
   const auto row = hn::Add(
-      hn::Mul(material_i, hn::Set(Row(), static_cast<hn::TFromD<Row>>(step.law.materials))),
-      material_j);
+      hn::Mul(a.material, hn::Set(Row(), static_cast<hn::TFromD<Row>>(step.law.materials))),
+      b.material);
   const ResponseV<V> r =
       respond<Real>(step, load_coefficients<Real>(step.law, row), t, old, touching);
   store3(r.spring, numbers, kPairPad);
   store3(r.force, numbers + 3 * kPairPad, kPairPad);
   if (step.rolling) store3(r.moment, numbers + 6 * kPairPad, kPairPad);
-  if constexpr (kOwn) count_response<Real>(r, touching, hn::Div(t.overlap, radius_i), block.tally);
+  if constexpr (kOwn) count_response<Real>(r, touching, hn::Div(t.overlap, a.radius), block.tally);
 
   const Vec3V<V> twist = cross(r.tangential, t.normal);  // = -n x F_t
   const Vec3V<V> torque_j = scale(arm_j, twist) - r.moment;
@@ -220,8 +208,19 @@ HWY_INLINE void prefetch_row(const ParticleView<Real>& p, const Index* partner, 
                              std::size_t width) {
   for (std::size_t k = 0; k < hn::MaxLanes(Lanes<Real>()); ++k) {
     hwy::Prefetch(p.record + partner[k]);
+    hwy::Prefetch(p.traits + partner[k]);
   }
   for (std::size_t k = 0; k < width; k += kPairPad) hwy::Prefetch(numbers + k);
+}
+
+template <class Real>
+HWY_INLINE void prefetch_owners(const ParticleView<Real>& p, const Index* owner, std::size_t block,
+                                std::size_t blocks) {
+  if (block >= blocks) return;
+  for (std::size_t k = 0; k < kPairPad; ++k) {
+    hwy::Prefetch(p.record + owner[block * kPairPad + k]);
+    hwy::Prefetch(p.traits + owner[block * kPairPad + k]);
+  }
 }
 
 // Blocks of one part. Vectors narrower than a block take it in pieces.
@@ -240,10 +239,11 @@ HWY_INLINE void sphere_sphere_blocks(const StepConstants<Real>& step, const Part
       BlockV<Real> block;
       block.index = load_index<Real>(owner);
       block.tally = zero_tally<Real>();
-      for (std::size_t h = 0; h < kHalves<Real>; ++h) {
-        block.owner[h] = load_partner(p, owner + h * kHalf);
-        for (auto& v : block.sums.sum[h]) v = hn::Zero(D64());
+      load_partners(p, owner, block.owner);
+      for (auto& half : block.sums.sum) {
+        for (auto& v : half) v = hn::Zero(D64());
       }
+      if (piece == 0) prefetch_owners(p, pairs.owner, at + 1, pairs.all);
       for (std::size_t row = pairs.row_begin[at]; row < pairs.row_begin[at + 1]; ++row) {
         const Index* partner = pairs.partner + row * kPairPad + piece;
         Real* numbers = pairs.numbers + row * width + piece;
