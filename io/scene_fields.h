@@ -102,7 +102,9 @@ void fields(Io& io, RunSpec& run) {
       kTime, Range::kNotNegative},
      run.relax);
   io({"precision", "of forces and velocities; positions are always double"}, run.precision);
-  io({"tile_size", "particles per tile", kNumber, Range::kPositive}, run.tile_size);
+  io({"tile_size", "particles per tile; default: a 32nd of all, 512 to 2048", kNumber,
+      Range::kPositive},
+     run.tile_size);
   io({"list_slack", "extra reach of neighbour lists; default: automatic", kLength,
       Range::kPositive},
      run.list_slack);

@@ -1,5 +1,7 @@
 #include "kernels/wall_contacts.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <array>
 
@@ -10,6 +12,7 @@ namespace quern {
 
 namespace {
 
+constexpr std::size_t kEntriesAhead = 8;
 constexpr std::size_t kRows = WallContacts::kGeometry + 10;
 
 // The touches of one particle with one body, in the world frame.
@@ -188,6 +191,9 @@ void collect_wall_contacts(const World<Real>& world, std::size_t tile, WallLanes
   };
   for (std::size_t entry = 0; entry < c.particle.size(); ++entry) {
     const Index particle = c.particle[entry], body = c.body[entry];
+    if (entry + kEntriesAhead < c.particle.size()) {
+      hwy::Prefetch(world.particles.record.data() + c.particle[entry + kEntriesAhead]);
+    }
     close_before(particle, body);
     const std::size_t begin = at;
     while (at < springs.size() && springs[at].particle == particle &&

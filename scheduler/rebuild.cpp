@@ -154,8 +154,8 @@ double gap_of(const SearchInput& in, Index i, Index j) {
   return std::sqrt(d2) - a.radius - b.radius;
 }
 
-// Groups pairs by their owner: partners nearest first, so that the rows of a block either touch in
-// most lanes or in none; owners of many partners first, so that few lanes are empty.
+// Groups pairs by their owner: partners nearest first, owners of many partners first, of those the
+// ones with many contacts: few lanes are empty, and the rows of a block touch in most lanes or in none.
 template <bool kOwn>
 void arrange(const SearchInput& in, std::span<const CandidatePair> pairs, Index first,
              BlockPlan& plan) {
@@ -177,13 +177,18 @@ void arrange(const SearchInput& in, std::span<const CandidatePair> pairs, Index 
     const Index most = kOwn ? kNoIndex : kLongestImport;
     for (Index from = begin[k]; from < begin[k + 1];) {
       const Index count = std::min(begin[k + 1] - from, most);
-      plan.lanes.push_back({first + static_cast<Index>(k), from, count});
+      const auto near = partner.begin() + from;
+      const auto apart = std::find_if(near, near + count, [](const auto& p) { return p.first > 0; });
+      plan.lanes.push_back(
+          {first + static_cast<Index>(k), from, count, static_cast<Index>(apart - near)});
       from += count;
     }
   }
   for (const auto& p : partner) plan.partners.push_back(p.second);
   std::stable_sort(plan.lanes.begin(), plan.lanes.end(),
-                   [](const auto& a, const auto& b) { return a.count > b.count; });
+                   [](const auto& a, const auto& b) {
+                     return a.count != b.count ? a.count > b.count : a.touching > b.touching;
+                   });
 }
 
 // Slot of the pair (i, j) in the old batch, or kNoIndex; an owner's slots are kPairPad apart.

@@ -18,6 +18,7 @@ namespace quern {
 struct BlockPlan {
   struct Lane {
     Index owner, begin, count;  // its partners: partners[begin .. begin + count)
+    Index touching;             // how many of them it touches now
   };
   std::vector<Index> partners;
   std::vector<Lane> lanes;

@@ -273,6 +273,12 @@ std::size_t count_spheres(std::span<const ParticleSeed> seeds) {
       seeds.begin(), seeds.end(), [](const ParticleSeed& seed) { return seed.is_sphere(); }));
 }
 
+// Large tiles share fewer contacts with others, and cost less; small scenes need several to run beside
+// each other. Independent of the number of threads, or bits would depend on it.
+Index choose_tile_size(std::size_t particles) {
+  return static_cast<Index>(std::clamp<std::size_t>(particles / 32, 512, 2048));
+}
+
 }  // namespace
 
 std::size_t material_row(const Scene& scene, const std::string& name) {
@@ -354,7 +360,7 @@ World<Real> make_world(const Scene& scene, SceneGeometry geometry,
                        std::span<const ParticleSeed> all, std::span<const ParticleSeed> present,
                        std::vector<Shape> shapes) {
   World<Real> world;
-  world.tile_size = scene.run.tile_size;
+  world.tile_size = scene.run.tile_size.value_or(choose_tile_size(all.size()));
   world.gravity = scene.run.gravity;
   world.low = geometry.low;
   world.high = geometry.high;

@@ -198,7 +198,7 @@ struct RunSpec {
   // file become polyhedra, else 0
   std::optional<double> relax;
   Precision precision = Precision::kMixed;
-  Index tile_size = 1024;
+  std::optional<Index> tile_size;
   std::optional<double> list_slack;  // m
 };
 
