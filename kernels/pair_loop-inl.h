@@ -149,56 +149,82 @@ HWY_INLINE PartnerV<Real> load_partner(const ParticleView<Real>& p, const Index*
   return out;
 }
 
-// A full vector of partners of Real lanes: what stays f64 in halves.
+// A full vector of partners is loaded in halves, so that the f64 places and velocities of one half are
+// used up before the next one needs the registers; the rest is joined to vectors of Real lanes.
+#if QUERN_ROWS_IN_REGISTERS
+struct PackedRestV {
+  V64 low, high, traits;  // pairs of f32: (wx, wy), (wz, radius), (inverse mass, tag)
+};
+#endif
+template <class Real>
+struct HalfPartnersV {
+  Vec3V<hn::Vec<D64>> place, velocity;
+#if QUERN_ROWS_IN_REGISTERS
+  std::conditional_t<sizeof(Real) == sizeof(float), PackedRestV, PartnerV<Real>> rest;
+#else
+  PartnerV<Real> rest;
+#endif
+};
 template <class Real>
 struct PartnersV {
   using V = hn::Vec<Lanes<Real>>;
-  Vec3V<hn::Vec<D64>> place[2], velocity[2];
   Vec3V<V> spin;
   V radius, inverse_mass, contacts;
   hn::Vec<hn::RebindToSigned<Lanes<Real>>> material;
 };
 
 template <class Real>
-HWY_INLINE void load_partners(const ParticleView<Real>& p, const Index* lane, PartnersV<Real>& out) {
+HWY_INLINE HalfPartnersV<Real> load_half(const ParticleView<Real>& p, const Index* lane) {
 #if QUERN_ROWS_IN_REGISTERS
   if constexpr (sizeof(Real) == sizeof(float)) {
-    const Lanes<float> d;
-    V64 low[8], high[8];
-    load_columns(p.record, lane, low);
-    load_columns(p.record, lane + 8, high);
-    out.place[0] = {low[0], low[1], low[2]};
-    out.place[1] = {high[0], high[1], high[2]};
-    out.velocity[0] = {low[3], low[4], low[5]};
-    out.velocity[1] = {high[3], high[4], high[5]};
-    const auto even = [&](V64 l, V64 h) HWY_ATTR {
-      return hn::ConcatEven(d, hn::BitCast(d, h), hn::BitCast(d, l));
-    };
-    const auto odd = [&](V64 l, V64 h) HWY_ATTR {
-      return hn::ConcatOdd(d, hn::BitCast(d, h), hn::BitCast(d, l));
-    };
-    out.spin = {even(low[6], high[6]), odd(low[6], high[6]), even(low[7], high[7])};
-    out.radius = odd(low[7], high[7]);
-    const V64 traits[2] = {load_traits_bits(p.traits, lane), load_traits_bits(p.traits, lane + 8)};
-    out.inverse_mass = even(traits[0], traits[1]);
-    const auto tag = hn::BitCast(hn::RebindToSigned<Lanes<float>>(), odd(traits[0], traits[1]));
-    out.material = hn::And(tag, hn::Set(hn::DFromV<decltype(tag)>(), 0xffff));
-    out.contacts = hn::ConvertTo(d, hn::ShiftRight<16>(tag));
-    return;
+    V64 c[8];
+    load_columns(p.record, lane, c);
+    return {{c[0], c[1], c[2]},
+            {c[3], c[4], c[5]},
+            {c[6], c[7], load_traits_bits(p.traits, lane)}};
+  } else {
+    const PartnerV<Real> all = load_partner(p, lane);
+    return {all.place, all.velocity, all};
   }
+#else
+  const PartnerV<Real> all = load_partner(p, lane);
+  return {all.place, all.velocity, all};
 #endif
-  const PartnerV<Real> low = load_partner(p, lane);
-  const PartnerV<Real> high = kHalves<Real> == 1 ? low : load_partner(p, lane + hn::MaxLanes(D64()));
-  out.place[0] = low.place;
-  out.place[1] = high.place;
-  out.velocity[0] = low.velocity;
-  out.velocity[1] = high.velocity;
-  out.spin = join<Real>(low.spin, high.spin);
-  out.radius = join<Real>(low.radius, high.radius);
-  out.inverse_mass = join<Real>(low.inverse_mass, high.inverse_mass);
-  out.contacts = join<Real>(low.contacts, high.contacts);
-  out.material = join<Real>(low.material, high.material);
 }
+
+#if QUERN_ROWS_IN_REGISTERS
+HWY_INLINE PartnersV<float> join_partners(const HalfPartnersV<float>& low,
+                                          const HalfPartnersV<float>& high) {
+  const Lanes<float> d;
+  const auto even = [&](V64 l, V64 h) HWY_ATTR {
+    return hn::ConcatEven(d, hn::BitCast(d, h), hn::BitCast(d, l));
+  };
+  const auto odd = [&](V64 l, V64 h) HWY_ATTR {
+    return hn::ConcatOdd(d, hn::BitCast(d, h), hn::BitCast(d, l));
+  };
+  const PackedRestV &l = low.rest, &h = high.rest;
+  const auto tag = hn::BitCast(hn::RebindToSigned<Lanes<float>>(), odd(l.traits, h.traits));
+  return {{even(l.low, h.low), odd(l.low, h.low), even(l.high, h.high)},
+          odd(l.high, h.high),
+          even(l.traits, h.traits),
+          hn::ConvertTo(d, hn::ShiftRight<16>(tag)),
+          hn::And(tag, hn::Set(hn::DFromV<decltype(tag)>(), 0xffff))};
+}
+HWY_INLINE PartnersV<double> join_partners(const HalfPartnersV<double>& low,
+                                           const HalfPartnersV<double>&) {
+  const PartnerV<double>& l = low.rest;
+  return {l.spin, l.radius, l.inverse_mass, l.contacts, l.material};
+}
+#else
+template <class Real>
+HWY_INLINE PartnersV<Real> join_partners(const HalfPartnersV<Real>& low,
+                                         const HalfPartnersV<Real>& high) {
+  const PartnerV<Real> &l = low.rest, &h = high.rest;
+  return {join<Real>(l.spin, h.spin), join<Real>(l.radius, h.radius),
+          join<Real>(l.inverse_mass, h.inverse_mass), join<Real>(l.contacts, h.contacts),
+          join<Real>(l.material, h.material)};
+}
+#endif
 
 // Vectors of three: as three columns, or as three runs `stride` numbers apart.
 template <class V>

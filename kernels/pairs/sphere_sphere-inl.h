@@ -30,28 +30,36 @@ struct SeparationV {
   V d2, gap2;  // d^2, R^2 - d^2
 };
 
-template <class Real, std::size_t half>
-HWY_INLINE SeparationV<hn::Vec<HalfLanes<Real>>> separate(const StepConstants<Real>& step,
-                                                          const PartnersV<Real>& a,
-                                                          const PartnersV<Real>& b) {
-  using V64 = hn::Vec<D64>;
-  Vec3V<V64> dx = a.place[half] - b.place[half];
+// Of one f64 vector of pairs; the square of the distance stays f64.
+template <class Real>
+struct HalfSeparationV {
+  Vec3V<hn::Vec<HalfLanes<Real>>> place, velocity;
+  hn::Vec<D64> d2;
+};
+template <class Real>
+HWY_INLINE HalfSeparationV<Real> separate(const StepConstants<Real>& step,
+                                          const HalfPartnersV<Real>& a,
+                                          const HalfPartnersV<Real>& b) {
+  Vec3V<hn::Vec<D64>> dx = a.place - b.place;
   if (step.period[0] > 0) dx.x = nearest_image(dx.x, step.period[0], step.inverse_period[0]);
   if (step.period[1] > 0) dx.y = nearest_image(dx.y, step.period[1], step.inverse_period[1]);
   if (step.period[2] > 0) dx.z = nearest_image(dx.z, step.period[2], step.inverse_period[2]);
-  const V64 reach = hn::Add(half_f64<Real, half>(a.radius), half_f64<Real, half>(b.radius));
-  const V64 d2 = dot(dx, dx);
-  return {to_real<Real>(dx), to_real<Real>(a.velocity[half] - b.velocity[half]), to_real<Real>(d2),
-          to_real<Real>(hn::MulSub(reach, reach, d2))};
+  return {to_real<Real>(dx), to_real<Real>(a.velocity - b.velocity), dot(dx, dx)};
 }
-template <class Real>
-HWY_INLINE SeparationV<hn::Vec<Lanes<Real>>> separate(const StepConstants<Real>& step,
-                                                      const PartnersV<Real>& a,
-                                                      const PartnersV<Real>& b) {
-  const auto low = separate<Real, 0>(step, a, b);
-  const auto high = separate<Real, kHalves<Real> - 1>(step, a, b);
+template <class Real, std::size_t half, class V>
+HWY_INLINE auto gap2_of(V radius_i, V radius_j, hn::Vec<D64> d2) {
+  const auto reach = hn::Add(half_f64<Real, half>(radius_i), half_f64<Real, half>(radius_j));
+  return to_real<Real>(hn::MulSub(reach, reach, d2));
+}
+template <class Real, class V>
+HWY_INLINE SeparationV<V> join_separations(const HalfSeparationV<Real>& low,
+                                           const HalfSeparationV<Real>& high, V radius_i,
+                                           V radius_j) {
+  constexpr std::size_t kHigh = kHalves<Real> - 1;
   return {join<Real>(low.place, high.place), join<Real>(low.velocity, high.velocity),
-          join<Real>(low.d2, high.d2), join<Real>(low.gap2, high.gap2)};
+          join<Real>(to_real<Real>(low.d2), to_real<Real>(high.d2)),
+          join<Real>(gap2_of<Real, 0>(radius_i, radius_j, low.d2),
+                     gap2_of<Real, kHigh>(radius_i, radius_j, high.d2))};
 }
 
 // Unit vectors and overlaps (R^2 - d^2) / (R + d), now and a step ago, by two divisions. A step ago
@@ -138,6 +146,7 @@ HWY_INLINE void add_to_partners(const Vec3V<V>& force, const Vec3V<V>& torque, V
 // What one row of a block needs beside its partners.
 template <class Real>
 struct BlockV {
+  HalfPartnersV<Real> low, high;
   PartnersV<Real> owner;
   hn::Vec<hn::RebindToSigned<Lanes<Real>>> index;
   OwnerSums<Real> sums;
@@ -154,10 +163,18 @@ HWY_INLINE void sphere_sphere_row(const StepConstants<Real>& step, const Particl
   using V = hn::Vec<Lanes<Real>>;
   constexpr std::size_t kHalf = hn::MaxLanes(D64());
   const V zero = hn::Zero(d);
-  PartnersV<Real> other;
-  load_partners(p, partner, other);
+  using Half = HalfPartnersV<Real>;
+  const auto apart_from = [&](const Half& mine, const Half& theirs) HWY_ATTR {
+    return kOwn ? separate(step, mine, theirs) : separate(step, theirs, mine);
+  };
+  constexpr std::size_t kHigh = kHalves<Real> - 1;
+  const Half low = load_half(p, partner);
+  const HalfSeparationV<Real> low_apart = apart_from(block.low, low);
+  const Half high = load_half(p, partner + kHigh * kHalf);
+  const HalfSeparationV<Real> high_apart = apart_from(block.high, high);
+  const PartnersV<Real> other = join_partners(low, high);
   const PartnersV<Real>&a = kOwn ? block.owner : other, &b = kOwn ? other : block.owner;
-  const SeparationV<V> s = separate(step, a, b);
+  const SeparationV<V> s = join_separations<Real>(low_apart, high_apart, a.radius, b.radius);
   HistoryV<V> old;
   old.spring = load3<V>(numbers, kPairPad);
   old.force = load3<V>(numbers + 3 * kPairPad, kPairPad);
@@ -239,7 +256,9 @@ HWY_INLINE void sphere_sphere_blocks(const StepConstants<Real>& step, const Part
       BlockV<Real> block;
       block.index = load_index<Real>(owner);
       block.tally = zero_tally<Real>();
-      load_partners(p, owner, block.owner);
+      block.low = load_half(p, owner);
+      block.high = load_half(p, owner + (kHalves<Real> - 1) * kHalf);
+      block.owner = join_partners(block.low, block.high);
       for (auto& half : block.sums.sum) {
         for (auto& v : half) v = hn::Zero(D64());
       }
