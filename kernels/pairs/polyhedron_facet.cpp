@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "kernels/pairs/wall_patch.h"
 
@@ -102,6 +103,18 @@ Plane facet_plane(const Work& work, const FacetRecord& facet) noexcept {
           facet.normal.dot(facet.corner[0] - work.pose.place) / work.pose.scale};
 }
 
+// Whether the triangle's plane, or one of those across its edges, keeps it out of the bounding sphere.
+bool out_of_reach(const ShapePose& pose, double reach, const FacetRecord& facet) noexcept {
+  const Vec3 center = pose.place - facet.corner[0];
+  if (std::abs(facet.normal.dot(center)) >= reach) return true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 side = facet.corner[(k + 1) % 3] - facet.corner[k];
+    const double beyond = side.cross(facet.normal).dot(pose.place - facet.corner[k]);
+    if (beyond > 0 && beyond * beyond >= reach * reach * side.squaredNorm()) return true;
+  }
+  return false;
+}
+
 // Index of the surface the triangle lies in, or -1 if its plane does not cut the polyhedron.
 int surface_of(Work& work, const FacetRecord& facet) noexcept {
   for (int s = work.surfaces - 1; s >= 0; --s) {
@@ -147,7 +160,12 @@ void add_part(Work& work, Index triangle, int s) noexcept {
   Surface& surface = work.surface[static_cast<std::size_t>(s)];
   const FacetRecord& facet = work.facets.record[triangle];
   load_polygon(work, surface.section, 3);
+  const double reach = work.shape.bound_radius * work.pose.scale;
   for (std::size_t k = 0; k < 3; ++k) {
+    // An edge whose plane passes by the bounding sphere cuts nothing off.
+    const Vec3 side = facet.corner[(k + 1) % 3] - facet.corner[k];
+    const double beyond = side.cross(facet.normal).dot(work.pose.place - facet.corner[k]);
+    if (beyond < 0 && beyond * beyond >= reach * reach * side.squaredNorm()) continue;
     if (!clip_polygon(work.buffers, edge_plane(work, facet, k), static_cast<int>(k))) return;
   }
   const ClippedPolygon& polygon = *work.buffers.now;
@@ -370,7 +388,9 @@ int polyhedron_facet_touches(const Facets& facets, const ShapePose& pose,
                              std::span<const Index> candidates, const WallPatchOptions& options,
                              WallPatch* out, int capacity) noexcept {
   Work work(facets, pose);
+  const double reach = work.shape.bound_radius * pose.scale;
   for (const Index triangle : candidates) {
+    if (out_of_reach(pose, reach, facets.record[triangle])) continue;
     const int s = surface_of(work, facets.record[triangle]);
     if (s < 0) continue;
     add_part(work, triangle, s);
@@ -385,6 +405,37 @@ int polyhedron_facet_touches(const Facets& facets, const ShapePose& pose,
     if (build_patch(work, s, options, patch)) insert_patch(patch, out, capacity, count);
   }
   return count;
+}
+
+double distance_from_facets(const Facets& facets, const ShapePose& pose,
+                            std::span<const Index> candidates) noexcept {
+  const Shape& shape = *pose.shape;
+  const double reach = shape.bound_radius * pose.scale;
+  // How far the polyhedron lies beyond the plane through `at` with this unit normal.
+  const auto beyond = [&](const Vec3& normal, const Vec3& at) {
+    const double center = normal.dot(pose.place - at);
+    if (center >= 2 * reach) return reach;
+    const Vec3 n = pose.turn.transpose() * normal;
+    double lowest = std::numeric_limits<double>::max();
+    for (std::size_t v = 0; v < shape.vertices; ++v) {
+      const double height = n.x() * shape.x[v] + n.y() * shape.y[v] + n.z() * shape.z[v];
+      lowest = height < lowest ? height : lowest;
+    }
+    return std::min(reach, center + pose.scale * lowest);
+  };
+  double least = reach;
+  for (const Index triangle : candidates) {
+    const FacetRecord& facet = facets.record[triangle];
+    double apart = std::max(beyond(facet.normal, facet.corner[0]),
+                            beyond(-facet.normal, facet.corner[0]));
+    for (std::size_t k = 0; k < 3 && apart < least; ++k) {
+      const Vec3 side = facet.corner[(k + 1) % 3] - facet.corner[k];
+      apart = std::max(apart, beyond(side.cross(facet.normal).normalized(), facet.corner[k]));
+    }
+    least = std::min(least, apart);
+    if (least <= 0) return 0;
+  }
+  return least;
 }
 
 }  // namespace quern
