@@ -35,9 +35,11 @@ struct Surface {
   Plane plane;
   Vec3 normal;  // in the frame of the wall's body
   Index group, wall;
-  Kept section;
-  double area;
-  Vec3 moment;  // integral of x cross normal
+  Kept section;       // empty: the plane does not cut the polyhedron
+  FaceSides sides;
+  double section_area;
+  double area;  // of the wall in the polyhedron
+  Vec3 moment;  // integral of x cross normal over that
   int patch;    // lowest surface of the same patch
 };
 
@@ -125,15 +127,28 @@ int surface_of(Work& work, const FacetRecord& facet) noexcept {
   }
   const Plane plane = facet_plane(work, facet);
   if (std::abs(plane.offset) >= work.shape.bound_radius) return -1;
-  if (!section_of_shape(work.shape, plane, work.buffers)) return -1;
-  Kept section;
-  if (work.surfaces == kMaxSurfaces || !keep_polygon(work, section)) {
+  FaceSides sides;
+  Kept section = {0, 0};
+  const bool cut = section_of_shape(work.shape, plane, work.buffers, sides);
+  if (!cut && work.surfaces >= kMaxSurfaces / 2) return -1;  // not worth remembering
+  if (work.surfaces == kMaxSurfaces || (cut && !keep_polygon(work, section))) {
     work.full = true;
     return -1;
   }
-  work.surface[static_cast<std::size_t>(work.surfaces)] = {
-      plane, facet.normal, facet.group, facet.wall, section, 0, Vec3::Zero(), work.surfaces};
-  return work.surfaces++;
+  Surface& surface = work.surface[static_cast<std::size_t>(work.surfaces)];
+  surface.plane = plane;
+  surface.normal = facet.normal;
+  surface.group = facet.group;
+  surface.wall = facet.wall;
+  surface.section = section;
+  if (cut) {
+    surface.sides = sides;
+    surface.section_area = polygon_area(*work.buffers.now, plane.normal);
+  }
+  surface.area = 0;
+  surface.moment = Vec3::Zero();
+  surface.patch = work.surfaces++;
+  return cut ? surface.patch : -1;
 }
 
 // Integral of x over the polygon, and its area.
@@ -160,6 +175,7 @@ void add_part(Work& work, Index triangle, int s) noexcept {
   Surface& surface = work.surface[static_cast<std::size_t>(s)];
   const FacetRecord& facet = work.facets.record[triangle];
   load_polygon(work, surface.section, 3);
+  bool whole = true;  // no edge comes near
   const double reach = work.shape.bound_radius * work.pose.scale;
   for (std::size_t k = 0; k < 3; ++k) {
     // An edge whose plane passes by the bounding sphere cuts nothing off.
@@ -167,13 +183,14 @@ void add_part(Work& work, Index triangle, int s) noexcept {
     const double beyond = side.cross(facet.normal).dot(work.pose.place - facet.corner[k]);
     if (beyond < 0 && beyond * beyond >= reach * reach * side.squaredNorm()) continue;
     if (!clip_polygon(work.buffers, edge_plane(work, facet, k), static_cast<int>(k))) return;
+    whole = false;
   }
   const ClippedPolygon& polygon = *work.buffers.now;
   Vec3 first = Vec3::Zero();
   const double area = add_moment(polygon, surface.plane.normal, first);
   if (area <= kRounding * work.shape.bound_radius * perimeter(polygon)) return;
-  Part part{triangle, s, 0, {}};
-  if (work.parts == kMaxParts || !keep_polygon(work, part.corners)) {
+  Part part{triangle, s, 0, surface.section};
+  if (work.parts == kMaxParts || (!whole && !keep_polygon(work, part.corners))) {
     work.full = true;
     return;
   }
@@ -331,6 +348,12 @@ bool overlap_of_patch(const Work& work, int patch, const PatchSums& sums, const 
   PatchPlanes planes;
   gather_planes(work, patch, planes);
   flags |= planes.flags;
+  if (planes.count == 1) {
+    const Surface& only = work.surface[static_cast<std::size_t>(sums.largest)];
+    const Vec3& corner = work.corner[static_cast<std::size_t>(only.section.first)];
+    return overlap_behind_plane(work.shape, only.plane, only.sides, {corner, only.section_area},
+                                overlap);
+  }
   const Vec3 n = work.turned(normal);
   if (overlap_with_wall(work.shape, planes.all(), n, overlap)) return true;
   flags |= kPatchThin;
