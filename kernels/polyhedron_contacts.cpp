@@ -111,7 +111,7 @@ void PolyhedronContacts<Real>::put_before(const Before& before) {
 }
 
 template <class Real>
-void PolyhedronContacts<Real>::push(const Lane& lane, const Side& i, const Side& j, Index law_row) {
+void PolyhedronContacts<Real>::push(Lane& lane, const Side& i, const Side& j, Index law_row) {
   using B = BodyContacts;
   const WallSpring& w = lane.wall;  // normal and overlap of pairs as well
   const auto turning = [](const Side& s) {
@@ -132,10 +132,8 @@ void PolyhedronContacts<Real>::push(const Lane& lane, const Side& i, const Side&
   put(B::kElasticForce, lane.pair ? lane.pair->elastic_force : lane.wall.elastic_force);
   put(B::kStored, lane.pair ? lane.pair->stored : lane.wall.stored);
   law_row_[count_] = law_row;
-  lanes_.push_back(lane);
-  Lane& added = lanes_.back();
-  added.inverse_tangential = turning(i) + turning(j);
-  added.mobility =
+  lane.inverse_tangential = turning(i) + turning(j);
+  lane.mobility =
       patch_mobility(i.state.mobility, i.state.contacts, j.state.mobility, j.state.contacts);
   ++count_;
 }
@@ -174,7 +172,7 @@ void PolyhedronContacts<Real>::collect_pair(World<Real>& world, BodyTable& table
   const Side j{body_j.state, touching ? touch.point : pair.arm_j};
   const Vec3 at_old = i.state.velocity + i.state.spin.cross(pair.arm_i) - j.state.velocity -
                       j.state.spin.cross(pair.arm_j);
-  Lane lane{};
+  Lane& lane = lanes_.emplace_back();
   lane.pair = &pair;
   lane.touching = touching;
   lane.area = touching ? touch.area : 0;
@@ -209,7 +207,7 @@ void PolyhedronContacts<Real>::add_wall_lane(World<Real>& world, const BodyNow& 
                                              const WallPatch* now) {
   const Body& wall = world.bodies[in.wall_body];
   const double scale = body.pose.scale;
-  Lane lane{};
+  Lane& lane = lanes_.emplace_back();
   lane.pair = nullptr;
   lane.touching = now != nullptr;
   if (was) lane.wall = *was;

@@ -90,7 +90,7 @@ class PolyhedronContacts {
  private:
   // What a lane is, and what the law does not need of it.
   struct Lane {
-    PolyhedronPair* pair;  // null: a wall
+    PolyhedronPair* pair;  // null: a wall; of `wall` a pair uses normal and overlap only
     PolyhedronWall wall;
     bool touching;
     Vec3 arm_i, arm_j, wall_velocity, wall_velocity_old;
@@ -123,7 +123,8 @@ class PolyhedronContacts {
     Vec3 at_point, spring, force;
   };
   void put_before(const Before& before);
-  void push(const Lane& lane, const Side& i, const Side& j, Index law_row);
+  // Completes the last of lanes_.
+  void push(Lane& lane, const Side& i, const Side& j, Index law_row);
   void set_elastic(const World<Real>& world, double overlap, double area, double volume,
                    const Vec3& moment, double smaller, Index law_row, double& force, double& stored,
                    Vec3& couple) const;

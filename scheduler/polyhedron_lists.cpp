@@ -52,7 +52,7 @@ OldSlots open_slots(const PolyhedronSphereBatch<Real>& batch, std::size_t bodies
 // than `turn` (m, of its points).
 template <class Real>
 bool stays_far(const World<Real>& world, const SearchInput& in, const NearSphere& pair,
-               double turn) {
+               const Mat3& into_body, double turn) {
   const Polyhedra<Real>& p = world.polyhedra;
   const SearchPoint& sphere = in.point[pair.sphere];
   const SearchPoint& body = in.point[world.particles.size() + pair.polyhedron];
@@ -67,8 +67,7 @@ bool stays_far(const World<Real>& world, const SearchInput& in, const NearSphere
     // Another image may come nearer.
     if (std::abs(apart[e]) + std::abs(path[e]) + in.slack > 0.5 * period) return false;
   }
-  const Mat3 turn_back = p.orientation(pair.polyhedron).toRotationMatrix().transpose();
-  const Vec3 begin = turn_back * apart, way = turn_back * path;
+  const Vec3 begin = into_body * apart, way = into_body * path;
   const Shape& shape = world.shapes[p.shape[pair.polyhedron]];
   const double scale = p.scale[pair.polyhedron];
   const double reach = 1.000001 * (sphere.radius + in.slack + turn);
@@ -92,9 +91,16 @@ void lay_out_spheres(World<Real>& world, Graph& graph, const SearchInput& in,
   const OldSlots old = open_slots(world.polyhedra.spheres, world.polyhedra.size());
   const double turn = 0.5 * in.slack;
   graph.for_each(near.size(), [&](std::size_t tile, int) {
+    std::sort(near[tile].begin(), near[tile].end());
+    Index body = kNoIndex;
+    Mat3 into_body;
     for (NearSphere& pair : near[tile]) {
-      pair.far = old.find(pair.polyhedron, old_of_new[pair.sphere]) == kNoIndex &&
-                 stays_far(world, in, pair, turn);
+      if (pair.polyhedron != body) {
+        body = pair.polyhedron;
+        into_body = world.polyhedra.orientation(body).toRotationMatrix().transpose();
+      }
+      pair.far = old.find(body, old_of_new[pair.sphere]) == kNoIndex &&
+                 stays_far(world, in, pair, into_body, turn);
     }
     std::sort(near[tile].begin(), near[tile].end());
   });
