@@ -21,14 +21,15 @@ HWY_INLINE Vec3V<hn::Vec<D64>> load3_of(double* const (&from)[3], std::size_t at
   return load3<hn::Vec<D64>>(from, at);
 }
 
-// Centres and radii of a group's spheres.
+// Centres and radii of `count` spheres, as seen from `place`.
 template <class Real>
 void gather_spheres(const StepConstants<double>& step, const ParticleView<Real>& p,
-                    const SphereGroup<Real>& group, const GroupLanes& lanes) {
+                    const Vec3& from, const Index* sphere, std::size_t count,
+                    const GroupLanes& lanes) {
   const D64 d;
-  const Vec3V<hn::Vec<D64>> place = set3(group.body.place);
-  for (std::size_t at = 0; at < group.count; at += hn::Lanes(d)) {
-    const PartnerV<Real> a = load_partner(p, group.sphere + at);
+  const Vec3V<hn::Vec<D64>> place = set3(from);
+  for (std::size_t at = 0; at < count; at += hn::Lanes(d)) {
+    const PartnerV<Real> a = load_partner(p, sphere + at);
     Vec3V<hn::Vec<D64>> dx = a.place - place;
     if (step.period[0] > 0) dx.x = nearest_image(dx.x, step.period[0], step.inverse_period[0]);
     if (step.period[1] > 0) dx.y = nearest_image(dx.y, step.period[1], step.inverse_period[1]);
@@ -48,9 +49,9 @@ HWY_INLINE void set_elastic(V stiffness, double cap, BodyTouchV<V>& t) {
   t.stored = hn::Mul(t.elastic_force, hn::NegMulAdd(hn::Set(d, 0.5), pressed, t.overlap));
 }
 
-// What one vector of a group's spheres needs: the sphere is i, the polyhedron is j.
+// What one vector of contacts needs: the sphere is i, the polyhedron is j.
 template <class Real>
-struct GroupTouchV {
+struct NearTouchV {
   using V = hn::Vec<D64>;
   BodyTouchV<V> touch;
   Vec3V<V> point;  // of the contact, from the polyhedron's place
@@ -59,101 +60,97 @@ struct GroupTouchV {
 
 // Geometry, now and a step ago. `old` points to normal, overlap and contact point of then.
 template <class Real>
-HWY_INLINE void set_group_geometry(const PartnerV<Real>& a, const SphereGroup<Real>& group,
-                                   const GroupLanes& lanes, std::size_t at, const Real* old,
-                                   GroupTouchV<Real>& g) {
+HWY_INLINE void set_near_geometry(const PartnerV<Real>& a, const NearContacts<Real>& c,
+                                  std::size_t at, const Real* old, NearTouchV<Real>& g) {
   const D64 d;
   using V = hn::Vec<D64>;
+  using C = NearContacts<Real>;
   const HalfLanes<Real> dr;
   const auto history = [&](std::size_t k) HWY_ATTR {
-    return to_f64(hn::LoadU(dr, old + k * kShapePad));
+    return to_f64(hn::LoadU(dr, old + k * c.stride));
   };
+  const auto load = [&](int k) HWY_ATTR { return hn::LoadU(d, c.row(k) + at); };
+  const auto vector = [&](int k) HWY_ATTR { return Vec3V<V>{load(k), load(k + 1), load(k + 2)}; };
   BodyTouchV<V>& t = g.touch;
   const V half = hn::Set(d, 0.5), radius = to_f64(a.radius);
-  t.normal = load3_of(lanes.normal, at);
-  t.overlap = hn::LoadU(d, lanes.overlap + at);
-  g.point = load3_of(lanes.point, at);
+  t.normal = vector(C::kNormal);
+  t.overlap = load(C::kOverlap);
+  g.point = vector(C::kPoint);
   t.normal_old = {history(0), history(1), history(2)};
   t.overlap_old = history(3);
   const Vec3V<V> point_old = {history(4), history(5), history(6)};
   t.spin_i = {to_f64(a.spin.x), to_f64(a.spin.y), to_f64(a.spin.z)};
-  t.spin_j = set3(group.body.spin);
-  const Vec3V<V> velocity = a.velocity - set3(group.body.velocity);
+  t.spin_j = vector(C::kSpin);
+  const Vec3V<V> velocity = a.velocity - vector(C::kVelocity);
   g.arm = hn::NegMulAdd(half, t.overlap, radius);
   const V arm_old = hn::NegMulAdd(half, t.overlap_old, radius);
   t.at_point = velocity - cross(scale(g.arm, t.spin_i), t.normal) - cross(t.spin_j, g.point);
   t.at_old = velocity - cross(scale(arm_old, t.spin_i), t.normal_old) - cross(t.spin_j, point_old);
   t.normal_velocity = dot(t.normal, t.at_point);
-  const V inverse_i = to_f64(a.inverse_mass), inverse_j = hn::Set(d, group.body.inverse_mass);
-  const V z_i = to_f64(a.contacts), z_j = hn::Set(d, group.body.contacts);
+  const V inverse_i = to_f64(a.inverse_mass), inverse_j = load(C::kInverseMass);
+  const V z_i = to_f64(a.contacts), z_j = load(C::kContacts);
   t.inverse_mass = hn::Add(inverse_i, inverse_j);
   t.count_rate = hn::MulAdd(z_i, inverse_i, hn::Mul(z_j, inverse_j));
   const V turning_i = hn::Mul(hn::Set(d, 3.5), inverse_i);
-  const V turning_j =
-      hn::MulAdd(dot(g.point, g.point), hn::Set(d, group.body.mobility), inverse_j);
+  const V turning_j = hn::MulAdd(dot(g.point, g.point), load(C::kMobility), inverse_j);
   t.tangential_inverse = hn::Add(turning_i, turning_j);
   t.tangential_count_rate = hn::MulAdd(z_i, turning_i, hn::Mul(z_j, turning_j));
   t.contacts = hn::Add(z_i, z_j);
   t.rolling_radius = t.inverse_inertia = hn::Zero(d);
 }
 
-// Law, rows of the spheres, sums of the polyhedron. `step` has no rolling friction.
+// Law, rows of the spheres, forces on the polyhedra. `step` has no rolling friction.
 template <class Real>
 void push_spheres(const StepConstants<double>& step, const ParticleView<Real>& p,
-                  const SphereGroup<Real>& group, const GroupLanes& lanes, const TileRows& tile,
-                  ContactTally& tally) {
+                  const NearContacts<Real>& c, const TileRows& tile, ContactTally& tally) {
   const D64 d;
   const HalfLanes<Real> dr;
   using V = hn::Vec<D64>;
+  using C = NearContacts<Real>;
   const V zero = hn::Zero(d);
-  constexpr std::size_t kBlock = kShapePad * 13;  // PolyhedronSphereBatch::kHistory
-  V sums[7] = {zero, zero, zero, zero, zero, zero, zero};
   TallySumV sum = zero_tally_sum();
-  for (std::size_t at = 0; at < group.count; at += hn::Lanes(d)) {
-    Real* numbers = group.numbers + at / kShapePad * kBlock + at % kShapePad;
+  for (std::size_t at = 0; at < c.count; at += hn::Lanes(d)) {
+    Real* history = c.history + at;
     const auto load = [&](std::size_t k) HWY_ATTR {
-      return to_f64(hn::LoadU(dr, numbers + k * kShapePad));
+      return to_f64(hn::LoadU(dr, history + k * c.stride));
     };
     const auto store = [&](std::size_t k, const Vec3V<V>& v) HWY_ATTR {
-      store3(to_real<Real>(v), numbers + k * kShapePad, kShapePad);
+      store3(to_real<Real>(v), history + k * c.stride, c.stride);
     };
     HistoryV<V> old;
-    old.force = {load(3), load(4), load(5)};
-    const V any = hn::Add(hn::Abs(old.force.x), hn::Add(hn::Abs(old.force.y), hn::Abs(old.force.z)));
-    const auto touching = hn::Gt(hn::LoadU(d, lanes.overlap + at), zero);
-    if (hn::AllFalse(d, hn::Or(touching, hn::Gt(any, zero)))) continue;
     old.spring = {load(0), load(1), load(2)};
+    old.force = {load(3), load(4), load(5)};
     old.moment = {zero, zero, zero};
-    const PartnerV<Real> a = load_partner(p, group.sphere + at);
-    GroupTouchV<Real> g;
-    set_group_geometry(a, group, lanes, at, numbers + 6 * kShapePad, g);
+    const PartnerV<Real> a = load_partner(p, c.sphere + at);
+    NearTouchV<Real> g;
+    set_near_geometry(a, c, at, history + 6 * c.stride, g);
     BodyTouchV<V>& t = g.touch;
+    const auto touching = hn::Gt(t.overlap, zero);
     hn::Vec<D64I> row;
     if constexpr (sizeof(Real) == sizeof(double)) {
       row = a.material;
     } else {
       row = hn::PromoteTo(D64I(), a.material);
     }
-    row = hn::Add(hn::Mul(row, hn::Set(D64I(), step.law.materials)),
-                  hn::Set(D64I(), group.body.material));
+    const auto of_body =
+        hn::PromoteTo(D64I(), hn::BitCast(D32I(), hn::LoadU(D32U(), c.material + at)));
+    row = hn::Add(hn::Mul(row, hn::Set(D64I(), step.law.materials)), of_body);
     const auto k = load_coefficients<double>(step.law, row);
-    set_elastic(k.kn, group.overlap_cap, t);
+    set_elastic(k.kn, c.overlap_cap, t);
     const ResponseV<V> r = respond<double>(step, k, t, old, touching);
     store(0, r.spring);
     store(3, r.force);
     store(6, keep_if(touching, t.normal));
-    hn::StoreU(to_real<Real>(hn::IfThenElseZero(touching, t.overlap)), dr, numbers + 9 * kShapePad);
+    hn::StoreU(to_real<Real>(hn::IfThenElseZero(touching, t.overlap)), dr, history + 9 * c.stride);
     store(10, keep_if(touching, g.point));
     count_response<double>(r, touching, hn::Div(t.overlap, to_f64(a.radius)), sum);
     const V one = hn::IfThenElseZero(touching, hn::Set(d, 1));
     const Vec3V<V> torque_i = scale(g.arm, cross(r.tangential, t.normal));
-    add_to_partners<double, 0>(r.force, torque_i, one, group.sphere + at, tile);
-    const Vec3V<V> torque_j = cross(r.force, g.point);
-    const V on_j[7] = {hn::Neg(r.force.x), hn::Neg(r.force.y), hn::Neg(r.force.z), torque_j.x,
-                       torque_j.y,         torque_j.z,         one};
-    for (int c = 0; c < 7; ++c) sums[c] = hn::Add(sums[c], on_j[c]);
+    add_to_partners<double, 0>(r.force, torque_i, one, c.sphere + at, tile);
+    const Vec3V<V> on_j = {hn::Neg(r.force.x), hn::Neg(r.force.y), hn::Neg(r.force.z)};
+    store3(on_j, c.row(C::kForce) + at, c.stride);
+    store3(cross(r.force, g.point), c.row(C::kTorque) + at, c.stride);
   }
-  for (int c = 0; c < 7; ++c) group.sums[c] = sum_lanes(sums[c]);
   add_tally(sum, tally);
 }
 

@@ -1,9 +1,10 @@
 // Contacts of bodies that are no sphere: what the kernels of law and sums read and write.
 //
 // A polyhedron's contacts come as lanes whose geometry the narrow phase has found. Spheres near one
-// polyhedron are a group: their records are gathered, polyhedron_sphere finds normals and overlaps,
-// push_spheres applies the law, adds to the rows of the spheres and sums up what the polyhedron gets.
-// Contacts among polyhedra and with walls are few: push_bodies is the law alone, energies a contact.
+// polyhedron are a group: their records are gathered, polyhedron_sphere finds normals and overlaps.
+// Few of a group touch: those of all groups of a tile are packed (near_lanes.h), push_spheres applies
+// the law, adds to the rows of the spheres and tells what each does to its polyhedron. Contacts among
+// polyhedra and with walls are few: push_bodies is the law alone, energies a contact.
 #pragma once
 
 #include "kernels/contact.h"
@@ -29,17 +30,34 @@ struct GroupLanes {
   double* point[3];
 };
 
+// Contacts of spheres with polyhedra, one lane each: rows of `count` numbers, padded to kShapePad with
+// lanes that do nothing.
 template <class Real>
-struct SphereGroup {
-  BodyState body;
-  const Index* sphere;  // padded to kShapePad
-  Real* numbers;        // history, see soa/polyhedra.h
-  std::size_t count;
-  double* sums;         // out: force, torque, contacts of the polyhedron
+struct NearContacts {
+  enum Row {
+    kNormal = 0,                // 3, from the polyhedron to the sphere
+    kOverlap = kNormal + 3,     // m; <= 0 closes a contact
+    kPoint,                     // 3, m, contact point from the polyhedron's place
+    kVelocity = kPoint + 3,     // 3, of the polyhedron, as are the following
+    kSpin = kVelocity + 3,      // 3
+    kInverseMass = kSpin + 3,
+    kMobility,
+    kContacts,
+    kForce,                     // 3, N on the polyhedron, out
+    kTorque = kForce + 3,       // 3, N m, out
+    kRows = kTorque + 3
+  };
+  double* numbers;      // kRows rows, `stride` apart
+  Real* history;        // as a slot of PolyhedronSphereBatch, `stride` apart; in and out
+  std::size_t stride;
+  const Index* sphere;
+  const std::uint32_t* material;  // of the polyhedron
+  std::size_t count;    // padded
   double overlap_cap;   // m; 0: none
+  double* row(int k) const { return numbers + static_cast<std::size_t>(k) * stride; }
 };
 
-// Rows of `count` numbers, one lane a contact, padded to kShapePad with kPadding.
+// Rows of `count` numbers, one lane a contact, padded to kShapePad.
 struct BodyContacts {
   enum Row {
     kNormal = 0,          // 3, from j to i

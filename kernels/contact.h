@@ -134,7 +134,7 @@ struct MoveTally {
 };
 
 template <class Real>
-struct SphereGroup;
+struct NearContacts;
 struct GroupLanes;
 struct BodyContacts;
 
@@ -146,10 +146,10 @@ struct Kernels {
                 const TileRows&, ContactTally&);
   void (*move)(const MoveView<Real>&, const TileRows&, double dt, MoveTally&);
   // Of polyhedra, see body_contacts.h.
-  void (*gather_spheres)(const StepConstants<double>&, const ParticleView<Real>&,
-                         const SphereGroup<Real>&, const GroupLanes&);
+  void (*gather_spheres)(const StepConstants<double>&, const ParticleView<Real>&, const Vec3& from,
+                         const Index* sphere, std::size_t count, const GroupLanes&);
   void (*push_spheres)(const StepConstants<double>&, const ParticleView<Real>&,
-                       const SphereGroup<Real>&, const GroupLanes&, const TileRows&, ContactTally&);
+                       const NearContacts<Real>&, const TileRows&, ContactTally&);
   void (*push_bodies)(const StepConstants<double>&, const BodyContacts&);
   const char* target;
 };

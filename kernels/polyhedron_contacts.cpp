@@ -11,25 +11,39 @@
 
 namespace quern {
 
-template <class Real>
-BodyState body_state(const World<Real>& world, std::size_t body) {
-  const Polyhedra<Real>& p = world.polyhedra;
-  BodyState s;
-  s.place = p.place(body);
-  s.velocity = p.velocity(body);
-  s.spin = p.spin(body);
-  s.inverse_mass = p.inverse_mass[body];
-  s.mobility = p.inverse_inertia(body).maxCoeff();
-  s.contacts = p.contacts[body];
-  s.material = p.material[body];
-  return s;
+bool ApartFromWall::holds(const ShapePose& now) const {
+  if (!(gap > 0)) return false;
+  // A turn by an angle moves points by at most 2 R sin(angle / 2), and |R1 - R0| = 2 sqrt(2) sin of
+  // that half.
+  const double reach = now.scale * now.shape->bound_radius;
+  const double turned = reach * std::sqrt(0.5 * (now.turn - turn).squaredNorm());
+  const double left = Apart::kOfGap * gap - turned;
+  return left > 0 && (now.place - place).squaredNorm() < left * left;
 }
 
 template <class Real>
-ShapePose shape_pose(const World<Real>& world, std::size_t body) {
+void place_bodies(const World<Real>& world, std::size_t first, std::size_t last, Lists lists,
+                  BodyTable& table) {
   const Polyhedra<Real>& p = world.polyhedra;
-  return {&world.shapes[p.shape[body]], p.scale[body], p.place(body),
-          p.orientation(body).toRotationMatrix()};
+  for (std::size_t k = first; k < last; ++k) {
+    BodyNow& now = table.body[k];
+    const Quat q = p.orientation(k);
+    now.state.place = p.place(k);
+    now.state.velocity = p.velocity(k);
+    now.state.spin = p.spin(k);
+    now.state.inverse_mass = p.inverse_mass[k];
+    now.state.mobility = p.inverse_inertia(k).maxCoeff();
+    now.state.contacts = p.contacts[k];
+    now.state.material = p.material[k];
+    const Shape& shape = world.shapes[p.shape[k]];
+    now.pose = {&shape, p.scale[k], now.state.place, q.toRotationMatrix()};
+    now.reach = p.scale[k] * shape.bound_radius;
+    // |q1 - q0| = 2 sin(angle / 4): points move by at most 2 R sin(angle / 2) <= 2 R |q1 - q0|.
+    const double chord2 = std::min((q.coeffs() - now.orientation.coeffs()).squaredNorm(),
+                                   (q.coeffs() + now.orientation.coeffs()).squaredNorm());
+    now.turned = lists == Lists::kFresh ? 0 : now.turned + 2 * now.reach * std::sqrt(chord2);
+    now.orientation = q;
+  }
 }
 
 template <class Real>
@@ -97,7 +111,7 @@ void PolyhedronContacts<Real>::put_before(const Before& before) {
 }
 
 template <class Real>
-void PolyhedronContacts<Real>::push(const Lane& lane, const Side& i, const Side& j, Index law_row) {
+void PolyhedronContacts<Real>::push(Lane& lane, const Side& i, const Side& j, Index law_row) {
   using B = BodyContacts;
   const WallSpring& w = lane.wall;  // normal and overlap of pairs as well
   const auto turning = [](const Side& s) {
@@ -118,44 +132,51 @@ void PolyhedronContacts<Real>::push(const Lane& lane, const Side& i, const Side&
   put(B::kElasticForce, lane.pair ? lane.pair->elastic_force : lane.wall.elastic_force);
   put(B::kStored, lane.pair ? lane.pair->stored : lane.wall.stored);
   law_row_[count_] = law_row;
-  lanes_.push_back(lane);
-  Lane& added = lanes_.back();
-  added.inverse_tangential = turning(i) + turning(j);
-  added.mobility =
+  lane.inverse_tangential = turning(i) + turning(j);
+  lane.mobility =
       patch_mobility(i.state.mobility, i.state.contacts, j.state.mobility, j.state.contacts);
   ++count_;
 }
 
 template <class Real>
-void PolyhedronContacts<Real>::collect_pair(World<Real>& world, PolyhedronPair& pair) {
-  const Polyhedra<Real>& p = world.polyhedra;
-  ShapePose a = shape_pose(world, pair.j), b = shape_pose(world, pair.i);
-  b.place = separation(world, Vec3(b.place - a.place));
-  a.place = Vec3::Zero();
-  const double reach = a.scale * a.shape->bound_radius + b.scale * b.shape->bound_radius;
-  const bool near = b.place.squaredNorm() < reach * reach;
+void PolyhedronContacts<Real>::collect_pair(World<Real>& world, BodyTable& table,
+                                            std::size_t row_of_pair) {
+  PolyhedronPair& pair = world.polyhedra.pairs[row_of_pair];
+  Apart& apart = table.pairs[row_of_pair];
+  const BodyNow &body_j = table.body[pair.j], &body_i = table.body[pair.i];
+  const Vec3 between = separation(world, Vec3(body_i.state.place - body_j.state.place));
+  const double turned = body_i.turned + body_j.turned;
+  if (apart.holds(between, turned)) return;
+  const double reach = body_i.reach + body_j.reach, distance2 = between.squaredNorm();
+  const bool near = distance2 < reach * reach;
+  apart = {between, turned, near ? 0 : std::sqrt(distance2) - reach};
   if (!near && pair.touching == 0) return;
+  ShapePose a = body_j.pose, b = body_i.pose;
+  a.place = Vec3::Zero();
+  b.place = between;
   PairAxis axis;
   std::copy_n(pair.axis, 3, axis.axis);
   axis.gap = pair.gap;
   axis.flags = pair.axis_flags;
-  PolyhedronTouch touch{};
+  PolyhedronTouch touch;
   const bool touching =
       near && touch_polyhedra(a, b, {world.patch.overlap, world.patch.model}, axis, touch);
   std::copy_n(axis.axis, 3, pair.axis);
   pair.gap = axis.gap;
   pair.axis_flags = axis.flags;
+  if (near && !touching) apart.gap = static_cast<double>(axis.gap);
+  table.touches[row_of_pair] = touching ? 1 : 0;
   if (!touching && pair.touching == 0) return;
 
-  Side i{body_state(world, pair.i), touching ? Vec3(touch.point - b.place) : pair.arm_i};
-  Side j{body_state(world, pair.j), touching ? touch.point : pair.arm_j};
+  const Side i{body_i.state, touching ? Vec3(touch.point - between) : pair.arm_i};
+  const Side j{body_j.state, touching ? touch.point : pair.arm_j};
   const Vec3 at_old = i.state.velocity + i.state.spin.cross(pair.arm_i) - j.state.velocity -
                       j.state.spin.cross(pair.arm_j);
-  Lane lane{};
+  Lane& lane = lanes_.emplace_back();
   lane.pair = &pair;
   lane.touching = touching;
   lane.area = touching ? touch.area : 0;
-  lane.smaller = std::min(p.scale[pair.i], p.scale[pair.j]);
+  lane.smaller = std::min(a.scale, b.scale);
   lane.arm_i = i.arm;
   lane.arm_j = j.arm;
   lane.stored_old = pair.stored;
@@ -178,136 +199,149 @@ void PolyhedronContacts<Real>::collect_pair(World<Real>& world, PolyhedronPair& 
   push(lane, i, j, row);
 }
 
+// One contact; `was` null: new, `now` null (normal and point are then not asked for): closing. `now`
+// is in the world frame but for its moment and area vector.
 template <class Real>
-void PolyhedronContacts<Real>::collect_wall(World<Real>& world, std::size_t body, Index wall_body,
-                                            std::span<const Index> facets,
-                                            std::span<const PolyhedronWall> old) {
-  const Body& wall = world.bodies[wall_body];
+void PolyhedronContacts<Real>::add_wall_lane(World<Real>& world, const BodyNow& body,
+                                             const WallInput& in, const PolyhedronWall* was,
+                                             const WallPatch* now) {
+  const Body& wall = world.bodies[in.wall_body];
+  const double scale = body.pose.scale;
+  Lane& lane = lanes_.emplace_back();
+  lane.pair = nullptr;
+  lane.touching = now != nullptr;
+  if (was) lane.wall = *was;
+  lane.stored_old = lane.wall.stored;
+  lane.elastic_force_old = lane.wall.elastic_force;
+  lane.couple_old = lane.wall.couple;
+  lane.moment_old = lane.wall.moment;
+  lane.smaller = scale;
+  const Vec3 normal_old = was ? was->normal : now->normal;
+  const double overlap_old = was ? was->overlap : 0;
+  const Vec3 arm_old = was ? was->arm : Vec3(Vec3::Zero());
+  lane.wall.particle = static_cast<Index>(in.body);
+  lane.wall.elastic_force = lane.wall.stored = 0;
+  lane.wall.couple.setZero();
+  lane.wall.overlap = 0;
+  if (now) {
+    lane.wall.wall = now->wall;
+    lane.wall.feature = now->feature;
+    lane.wall.normal = now->normal;
+    lane.wall.point = now->point;
+    lane.wall.arm = now->point - body.state.place;
+    lane.wall.overlap = now->overlap;
+    lane.area = now->area;
+  }
+  const Index row =
+      body.state.material * world.materials + world.walls[lane.wall.wall].material;
+  if (now) {
+    // The kernel's moment is about the body's centre; the couple is what the point leaves of it.
+    const Mat3& turn = wall.pose.rotation;
+    const Vec3 about_point = turn * (now->moment) - lane.wall.arm.cross(turn * now->vector_area);
+    set_elastic(world, now->overlap, now->area, now->volume, about_point, scale, row,
+                lane.wall.elastic_force, lane.wall.stored, lane.wall.couple);
+  }
+  lane.couple = lane.wall.couple;
+  lane.wall_velocity = wall.velocity.at(lane.wall.point);
+  BodyState wall_state;
+  wall_state.velocity = lane.wall_velocity;
+  wall_state.spin = wall.velocity.spin;
+  const Side i{body.state, lane.wall.arm}, j{wall_state, Vec3::Zero()};
+  lane.arm_i = i.arm;
+  lane.wall_velocity_old = wall.velocity.from(was ? was->point : now->point, world.clock.dt);
+  const Vec3 at_old = i.state.velocity + i.state.spin.cross(arm_old) - lane.wall_velocity_old;
+  put_before({normal_old, overlap_old, at_old, was ? was->spring : Vec3(Vec3::Zero()),
+              was ? was->force : Vec3(Vec3::Zero())});
+  push(lane, i, j, row);
+}
+
+template <class Real>
+void PolyhedronContacts<Real>::collect_wall(World<Real>& world, const BodyNow& body,
+                                            const WallInput& in) {
+  const Body& wall = world.bodies[in.wall_body];
   const Mat3& turn = wall.pose.rotation;
-  const ShapePose here = shape_pose(world, body);
-  const ShapePose pose = {here.shape, here.scale, turn.transpose() * (here.place - wall.pose.shift),
-                          turn.transpose() * here.turn};
+  const ShapePose pose = {body.pose.shape, body.pose.scale,
+                          turn.transpose() * (body.state.place - wall.pose.shift),
+                          turn.transpose() * body.pose.turn};
   std::array<WallPatch, kMaxWallPatches> patch;
-  const int found =
-      facets.empty() ? 0
-                     : polyhedron_facet_touches(wall.facets, pose, facets, {world.patch.overlap, 0},
-                                                patch.data(), kMaxWallPatches);
-  const std::size_t count = static_cast<std::size_t>(found);
+  std::size_t count = 0;
+  if (in.apart) {
+    if (in.old.empty() && in.apart->holds(pose)) return;
+    count = static_cast<std::size_t>(polyhedron_facet_touches(wall.facets, pose, in.facets,
+                                                              {world.patch.overlap, 0},
+                                                              patch.data(), kMaxWallPatches));
+    *in.apart = {pose.place, pose.turn,
+                 count > 0 ? 0 : distance_from_facets(wall.facets, pose, in.facets)};
+  }
+  if (count == 0 && in.old.empty()) return;
   std::array<Index, kMaxWallPatches> wall_of, feature;
   std::array<Vec3, kMaxWallPatches> normal, point;
   for (std::size_t k = 0; k < count; ++k) {
     wall_of[k] = patch[k].wall;
     feature[k] = patch[k].feature;
-    normal[k] = turn * patch[k].normal;
-    point[k] = turn * patch[k].point + wall.pose.shift;
+    normal[k] = patch[k].normal = turn * patch[k].normal;
+    point[k] = patch[k].point = turn * patch[k].point + wall.pose.shift;
   }
-  std::array<WallSpring, kMaxWallPatches> springs;
-  const std::size_t olds = std::min<std::size_t>(old.size(), springs.size());
-  std::copy_n(old.begin(), olds, springs.begin());
+  springs_.assign(in.old.begin(), in.old.end());
   std::array<int, kMaxWallPatches> from;
-  match_wall_springs({springs.data(), olds},
+  match_wall_springs(springs_,
                      {{wall_of.data(), count},
                       {feature.data(), count},
                       {normal.data(), count},
                       {point.data(), count}},
-                     here.scale, from.data());
-
-  Side i{body_state(world, body), Vec3::Zero()};
-  std::array<bool, kMaxWallPatches> used{};
-  const auto add = [&](const PolyhedronWall* was, const WallPatch* now, const Vec3& world_normal,
-                       const Vec3& world_point) {
-    Lane lane{};
-    lane.pair = nullptr;
-    lane.touching = now != nullptr;
-    if (was) lane.wall = *was;
-    lane.stored_old = lane.wall.stored;
-    lane.elastic_force_old = lane.wall.elastic_force;
-    lane.couple_old = lane.wall.couple;
-    lane.moment_old = lane.wall.moment;
-    lane.smaller = here.scale;
-    const Vec3 normal_old = was ? was->normal : world_normal;
-    const double overlap_old = was ? was->overlap : 0;
-    const Vec3 arm_old = was ? was->arm : Vec3::Zero();
-    lane.wall.particle = static_cast<Index>(body);
-    lane.wall.elastic_force = lane.wall.stored = 0;
-    lane.wall.couple.setZero();
-    lane.wall.overlap = 0;
-    if (now) {
-      lane.wall.wall = now->wall;
-      lane.wall.feature = now->feature;
-      lane.wall.normal = world_normal;
-      lane.wall.point = world_point;
-      lane.wall.arm = world_point - here.place;
-      lane.wall.overlap = now->overlap;
-      lane.area = now->area;
-    }
-    const Index row = i.state.material * world.materials + world.walls[lane.wall.wall].material;
-    if (now) {
-      // The kernel's moment is about the body's centre; the couple is what the point leaves of it.
-      const Vec3 about_point = turn * (now->moment) - lane.wall.arm.cross(turn * now->vector_area);
-      set_elastic(world, now->overlap, now->area, now->volume, about_point, here.scale, row,
-                  lane.wall.elastic_force, lane.wall.stored, lane.wall.couple);
-    }
-    lane.couple = lane.wall.couple;
-    lane.wall_velocity = wall.velocity.at(lane.wall.point);
-    Side j;
-    j.state.velocity = lane.wall_velocity;
-    j.state.spin = wall.velocity.spin;
-    i.arm = lane.wall.arm;
-    lane.arm_i = i.arm;
-    lane.wall_velocity_old = wall.velocity.from(was ? was->point : world_point, world.clock.dt);
-    const Vec3 at_old = i.state.velocity + i.state.spin.cross(arm_old) - lane.wall_velocity_old;
-    put_before({normal_old, overlap_old, at_old, was ? was->spring : Vec3(Vec3::Zero()),
-                was ? was->force : Vec3(Vec3::Zero())});
-    push(lane, i, j, row);
-  };
+                     pose.scale, from.data());
+  carried_.assign(in.old.size(), false);
   for (std::size_t k = 0; k < count; ++k) {
     const PolyhedronWall* was = nullptr;
     if (from[k] >= 0) {
-      used[static_cast<std::size_t>(from[k])] = true;
-      was = &old[static_cast<std::size_t>(from[k])];
+      carried_[static_cast<std::size_t>(from[k])] = true;
+      was = &in.old[static_cast<std::size_t>(from[k])];
     }
-    add(was, &patch[k], normal[k], point[k]);
+    add_wall_lane(world, body, in, was, &patch[k]);
   }
-  for (std::size_t k = 0; k < old.size(); ++k) {
-    if (k < used.size() && used[k]) continue;
-    add(&old[k], nullptr, old[k].normal, old[k].point);
+  for (std::size_t k = 0; k < in.old.size(); ++k) {
+    if (!carried_[k]) add_wall_lane(world, body, in, &in.old[k], nullptr);
   }
 }
 
 template <class Real>
-void PolyhedronContacts<Real>::collect_walls(World<Real>& world, std::size_t body) {
+void PolyhedronContacts<Real>::collect_walls(World<Real>& world, BodyTable& table, std::size_t body,
+                                             std::span<const PolyhedronWall> old) {
   const Polyhedra<Real>& p = world.polyhedra;
-  const auto by_body = [](const PolyhedronWall& w, Index k) { return w.particle < k; };
-  const auto begin =
-      std::lower_bound(p.walls.begin(), p.walls.end(), static_cast<Index>(body), by_body);
-  const auto end = std::lower_bound(begin, p.walls.end(), static_cast<Index>(body + 1), by_body);
-  const std::span<const PolyhedronWall> old(p.walls.data() + (begin - p.walls.begin()),
-                                            static_cast<std::size_t>(end - begin));
+  if (old.empty() && p.wall_candidate_begin[body] == p.wall_candidate_begin[body + 1]) return;
   for (Index b = 0; b < world.bodies.size(); ++b) {
     std::size_t from = 0, to = 0;
     while (from < old.size() && world.walls[old[from].wall].body != b) ++from;
     for (to = from; to < old.size() && world.walls[old[to].wall].body == b;) ++to;
-    std::span<const Index> facets;
+    WallInput in{body, b, {}, nullptr, old.subspan(from, to - from)};
     for (Index e = p.wall_candidate_begin[body]; e < p.wall_candidate_begin[body + 1]; ++e) {
       if (p.wall_candidate_body[e] != b) continue;
-      facets = {p.wall_candidate_facet.data() + p.wall_candidate_facet_begin[e],
-                p.wall_candidate_facet_begin[e + 1] - p.wall_candidate_facet_begin[e]};
+      in.facets = {p.wall_candidate_facet.data() + p.wall_candidate_facet_begin[e],
+                   p.wall_candidate_facet_begin[e + 1] - p.wall_candidate_facet_begin[e]};
+      in.apart = &table.walls[e];
     }
-    if (facets.empty() && to == from) continue;
-    collect_wall(world, body, b, facets, old.subspan(from, to - from));
+    if (in.apart || !in.old.empty()) collect_wall(world, table.body[body], in);
   }
 }
 
 template <class Real>
-void PolyhedronContacts<Real>::collect(World<Real>& world, std::size_t first, std::size_t last) {
+void PolyhedronContacts<Real>::collect(World<Real>& world, BodyTable& table, std::size_t first,
+                                       std::size_t last) {
   count_ = 0;
   lanes_.clear();
   Polyhedra<Real>& p = world.polyhedra;
   auto pair = std::lower_bound(p.pairs.begin(), p.pairs.end(), first,
                                [](const PolyhedronPair& a, std::size_t j) { return a.j < j; });
-  for (; pair != p.pairs.end() && pair->j < last; ++pair) collect_pair(world, *pair);
-  for (std::size_t body = first; body < last; ++body) collect_walls(world, body);
+  for (; pair != p.pairs.end() && pair->j < last; ++pair) {
+    collect_pair(world, table, static_cast<std::size_t>(pair - p.pairs.begin()));
+  }
+  auto wall = std::lower_bound(p.walls.begin(), p.walls.end(), first,
+                               [](const PolyhedronWall& w, std::size_t k) { return w.particle < k; });
+  for (std::size_t body = first; body < last; ++body) {
+    const auto begin = wall;
+    while (wall != p.walls.end() && wall->particle == body) ++wall;
+    collect_walls(world, table, body, {begin, wall});
+  }
 }
 
 template <class Real>
@@ -404,10 +438,8 @@ void PolyhedronContacts<Real>::finish(World<Real>& world, const StepConstants<do
   }
 }
 
-template BodyState body_state(const World<float>&, std::size_t);
-template BodyState body_state(const World<double>&, std::size_t);
-template ShapePose shape_pose(const World<float>&, std::size_t);
-template ShapePose shape_pose(const World<double>&, std::size_t);
+template void place_bodies(const World<float>&, std::size_t, std::size_t, Lists, BodyTable&);
+template void place_bodies(const World<double>&, std::size_t, std::size_t, Lists, BodyTable&);
 template Vec3 separation(const World<float>&, const Vec3&);
 template Vec3 separation(const World<double>&, const Vec3&);
 template class PolyhedronContacts<float>;

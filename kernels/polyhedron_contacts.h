@@ -1,7 +1,8 @@
 // Contacts of polyhedra among themselves and with walls, for one stretch of bodies.
 //
 // collect: the narrow phase of every listed pair and wall candidate writes what touches, or did a
-// step ago, into lanes. push: the law (kernels/body_contacts). finish: patch moments, energies in
+// step ago, into lanes. A pair or wall found apart is not looked at again until the distance found
+// may have been used up, see Apart. push: the law (kernels/body_contacts). finish: patch moments, energies in
 // order, springs back into World. A pair belongs to the stretch of its lower body and is evaluated
 // once; other stretches read its force afterwards. Scalar f64 but for the law: such contacts are few.
 #pragma once
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "kernels/body_contacts.h"
+#include "kernels/pairs/polyhedron_facet.h"
 #include "soa/world.h"
 
 namespace quern {
@@ -25,10 +27,50 @@ struct PolyhedronTally {
   }
 };
 
+// Where two bodies were when they were last found apart, and by how much at least: they are apart
+// still while neither the change of their places nor their turning can have closed the gap. Derived
+// from the state and never saved; whether it is known changes no result.
+struct Apart {
+  Vec3 between = Vec3::Zero();  // m, of the places
+  double turned = 0;            // m, way of the points of both by turning, of the time
+  double gap = 0;               // m; 0: not known to be apart
+  bool holds(const Vec3& now, double turned_now) const {
+    const double left = kOfGap * gap - (turned_now - turned);
+    return left > 0 && (now - between).squaredNorm() < left * left;
+  }
+  static constexpr double kOfGap = 0.999;  // the rest is for rounding
+};
+
+// The same of a polyhedron and a wall, in the frame of the wall.
+struct ApartFromWall {
+  Vec3 place = Vec3::Zero();
+  Mat3 turn = Mat3::Identity();
+  double gap = 0;
+  bool holds(const ShapePose& now) const;
+};
+
+// A body as its contacts see it in this step, in one place: made once a step from the columns.
+struct BodyNow {
+  BodyState state;
+  ShapePose pose;
+  double reach = 0;   // m, radius of the bounding sphere
+  double turned = 0;  // m, way that turning has carried its points since the lists were built, at most
+  Quat orientation = Quat::Identity();
+};
+
+// All bodies of now, and what is known to be apart; a stretch writes what is its own.
+struct BodyTable {
+  std::vector<BodyNow> body;
+  std::vector<Apart> pairs;          // of each listed pair
+  std::vector<std::uint8_t> touches;  // each listed pair
+  std::vector<ApartFromWall> walls;  // of each entry of wall candidates
+};
+
+// Bodies [first, last) of now. `fresh`: the lists are new, or the first seen.
+enum class Lists : std::uint8_t { kFresh, kKnown };
 template <class Real>
-BodyState body_state(const World<Real>& world, std::size_t body);
-template <class Real>
-ShapePose shape_pose(const World<Real>& world, std::size_t body);
+void place_bodies(const World<Real>& world, std::size_t first, std::size_t last, Lists lists,
+                  BodyTable& table);
 // x_i - x_j, nearest image.
 template <class Real>
 Vec3 separation(const World<Real>& world, const Vec3& dx);
@@ -39,7 +81,7 @@ class PolyhedronContacts {
  public:
   // Pairs whose lower body is in [first, last), and walls of these bodies. `walls` receives their new
   // open contacts, by body.
-  void collect(World<Real>& world, std::size_t first, std::size_t last);
+  void collect(World<Real>& world, BodyTable& table, std::size_t first, std::size_t last);
   BodyContacts view();
   void finish(World<Real>& world, const StepConstants<double>& step,
               std::vector<PolyhedronWall>& walls, std::span<WallTotal> totals,
@@ -48,7 +90,7 @@ class PolyhedronContacts {
  private:
   // What a lane is, and what the law does not need of it.
   struct Lane {
-    PolyhedronPair* pair;  // null: a wall
+    PolyhedronPair* pair;  // null: a wall; of `wall` a pair uses normal and overlap only
     PolyhedronWall wall;
     bool touching;
     Vec3 arm_i, arm_j, wall_velocity, wall_velocity_old;
@@ -57,20 +99,32 @@ class PolyhedronContacts {
     double smaller;  // m, equivalent radius of the smaller body
   };
   struct Side {  // of a contact
-    BodyState state;
-    Vec3 arm = Vec3::Zero();
+    const BodyState& state;
+    Vec3 arm;
   };
-  void collect_pair(World<Real>& world, PolyhedronPair& pair);
-  void collect_walls(World<Real>& world, std::size_t body);
-  void collect_wall(World<Real>& world, std::size_t body, Index wall_body,
-                    std::span<const Index> facets, std::span<const PolyhedronWall> old);
+  // The contacts of a body with a rigid body of walls: candidates, if any are listed, and what was
+  // open a step ago.
+  struct WallInput {
+    std::size_t body;
+    Index wall_body;
+    std::span<const Index> facets;
+    ApartFromWall* apart;  // null: no candidates
+    std::span<const PolyhedronWall> old;
+  };
+  void collect_pair(World<Real>& world, BodyTable& table, std::size_t row);
+  void collect_walls(World<Real>& world, BodyTable& table, std::size_t body,
+                     std::span<const PolyhedronWall> old);
+  void collect_wall(World<Real>& world, const BodyNow& body, const WallInput& in);
+  void add_wall_lane(World<Real>& world, const BodyNow& body, const WallInput& in,
+                     const PolyhedronWall* was, const WallPatch* now);
   struct Before {  // a step ago
     Vec3 normal;
     double overlap;
     Vec3 at_point, spring, force;
   };
   void put_before(const Before& before);
-  void push(const Lane& lane, const Side& i, const Side& j, Index law_row);
+  // Completes the last of lanes_.
+  void push(Lane& lane, const Side& i, const Side& j, Index law_row);
   void set_elastic(const World<Real>& world, double overlap, double area, double volume,
                    const Vec3& moment, double smaller, Index law_row, double& force, double& stored,
                    Vec3& couple) const;
@@ -88,6 +142,8 @@ class PolyhedronContacts {
   std::vector<double> numbers_;
   std::vector<Index> law_row_;
   std::vector<Lane> lanes_;
+  std::vector<WallSpring> springs_;
+  std::vector<bool> carried_;
   std::size_t stride_ = 0, count_ = 0;
 };
 

@@ -47,27 +47,76 @@ OldSlots open_slots(const PolyhedronSphereBatch<Real>& batch, std::size_t bodies
   return old;
 }
 
+// Whether the straight lines of sphere and polyhedron, each left by no more than half the slack, keep
+// some plane of the polyhedron between them all the window long, if the polyhedron turns by no more
+// than `turn` (m, of its points).
+template <class Real>
+bool stays_far(const World<Real>& world, const SearchInput& in, const NearSphere& pair,
+               const Mat3& into_body, double turn) {
+  const Polyhedra<Real>& p = world.polyhedra;
+  const SearchPoint& sphere = in.point[pair.sphere];
+  const SearchPoint& body = in.point[world.particles.size() + pair.polyhedron];
+  Vec3 apart, path;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const Eigen::Index e = static_cast<Eigen::Index>(a);
+    apart[e] = sphere.x[a] - body.x[a];
+    const double period = in.box.period[a];
+    path[e] = in.window * (static_cast<double>(sphere.v[a]) - static_cast<double>(body.v[a]));
+    if (period <= 0) continue;
+    apart[e] -= period * std::nearbyint(apart[e] / period);
+    // Another image may come nearer.
+    if (std::abs(apart[e]) + std::abs(path[e]) + in.slack > 0.5 * period) return false;
+  }
+  const Vec3 begin = into_body * apart, way = into_body * path;
+  const Shape& shape = world.shapes[p.shape[pair.polyhedron]];
+  const double scale = p.scale[pair.polyhedron];
+  const double reach = 1.000001 * (sphere.radius + in.slack + turn);
+  for (std::size_t f = 0; f < shape.faces; ++f) {
+    const Vec3 normal = shape.normal(f);
+    const double height = normal.dot(begin) - scale * shape.d[f];
+    if (height + std::min(0.0, normal.dot(way)) > reach) return true;
+  }
+  return false;
+}
+
 Index padded(std::size_t n) {
   return static_cast<Index>((n + kShapePad - 1) / kShapePad * kShapePad);
 }
 
 template <class Real>
-void lay_out_spheres(World<Real>& world, const std::vector<Index>& old_of_new,
+void lay_out_spheres(World<Real>& world, Graph& graph, const SearchInput& in,
+                     const std::vector<Index>& old_of_new,
                      std::vector<std::vector<NearSphere>>& near) {
   using Batch = PolyhedronSphereBatch<Real>;
   const OldSlots old = open_slots(world.polyhedra.spheres, world.polyhedra.size());
+  const double turn = 0.5 * in.slack;
+  graph.for_each(near.size(), [&](std::size_t tile, int) {
+    std::sort(near[tile].begin(), near[tile].end());
+    Index body = kNoIndex;
+    Mat3 into_body;
+    for (NearSphere& pair : near[tile]) {
+      if (pair.polyhedron != body) {
+        body = pair.polyhedron;
+        into_body = world.polyhedra.orientation(body).toRotationMatrix().transpose();
+      }
+      pair.far = old.find(body, old_of_new[pair.sphere]) == kNoIndex &&
+                 stays_far(world, in, pair, into_body, turn);
+    }
+    std::sort(near[tile].begin(), near[tile].end());
+  });
   const Batch before = std::move(world.polyhedra.spheres);
   Batch& now = world.polyhedra.spheres = Batch();
-  std::vector<Index> polyhedron, count, begin;
+  std::vector<Index> polyhedron, count, begin, near_count;
   Index slots = 0;
   now.tile_begin.reset(near.size() + 1);
   for (std::size_t tile = 0; tile < near.size(); ++tile) {
     now.tile_begin[tile] = static_cast<Index>(polyhedron.size());
-    std::sort(near[tile].begin(), near[tile].end());
     for (std::size_t k = 0; k < near[tile].size();) {
-      std::size_t end = k;
-      while (end < near[tile].size() && near[tile][end].polyhedron == near[tile][k].polyhedron)
-        ++end;
+      std::size_t end = k, not_far = 0;
+      while (end < near[tile].size() && near[tile][end].polyhedron == near[tile][k].polyhedron) {
+        not_far += near[tile][end++].far ? 0 : 1;
+      }
+      near_count.push_back(static_cast<Index>(not_far));
       polyhedron.push_back(near[tile][k].polyhedron);
       count.push_back(static_cast<Index>(end - k));
       begin.push_back(slots);
@@ -85,10 +134,8 @@ void lay_out_spheres(World<Real>& world, const std::vector<Index>& old_of_new,
   to_column(count, now.count);
   to_column(begin, now.begin);
   now.sphere.reset(slots);
-  now.numbers.reset(slots * Batch::kHistory);
+  now.numbers.reset(slots * Batch::kHistoryStride);
   now.numbers.fill(0);
-  now.sums.reset(polyhedron.size() * Batch::kSums);
-  now.sums.fill(0);
   std::size_t group = 0;
   for (const auto& tile : near) {
     for (std::size_t k = 0; k < tile.size(); ++group) {
@@ -106,6 +153,9 @@ void lay_out_spheres(World<Real>& world, const std::vector<Index>& old_of_new,
       k += count[group];
     }
   }
+  now.set_unsaved();
+  to_column(near_count, now.near);
+  now.near_turn = turn;
 }
 
 template <class Real>
@@ -191,8 +241,8 @@ void take_near_spheres(std::size_t spheres, std::vector<CandidatePair>& own,
 }
 
 template <class Real>
-void rebuild_polyhedra(World<Real>& world, const SearchInput& in, const SearchGrid& grid,
-                       const std::vector<Index>& old_of_new,
+void rebuild_polyhedra(World<Real>& world, Graph& graph, const SearchInput& in,
+                       const SearchGrid& grid, const std::vector<Index>& old_of_new,
                        std::vector<std::vector<NearSphere>>& near) {
   const Index spheres = static_cast<Index>(world.particles.size());
   const Index all = spheres + static_cast<Index>(world.polyhedra.size());
@@ -207,16 +257,16 @@ void rebuild_polyhedra(World<Real>& world, const SearchInput& in, const SearchGr
       pairs.push_back(std::minmax(body, pair.j - spheres));
     }
   }
-  lay_out_spheres(world, old_of_new, near);
+  lay_out_spheres(world, graph, in, old_of_new, near);
   lay_out_pairs(world, pairs);
   find_walls(world);
 }
 
 template void add_points(World<float>&, std::vector<SearchPoint>&);
 template void add_points(World<double>&, std::vector<SearchPoint>&);
-template void rebuild_polyhedra(World<float>&, const SearchInput&, const SearchGrid&,
+template void rebuild_polyhedra(World<float>&, Graph&, const SearchInput&, const SearchGrid&,
                                 const std::vector<Index>&, std::vector<std::vector<NearSphere>>&);
-template void rebuild_polyhedra(World<double>&, const SearchInput&, const SearchGrid&,
+template void rebuild_polyhedra(World<double>&, Graph&, const SearchInput&, const SearchGrid&,
                                 const std::vector<Index>&, std::vector<std::vector<NearSphere>>&);
 
 }  // namespace quern

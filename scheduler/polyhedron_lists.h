@@ -1,12 +1,15 @@
 // Lists of polyhedra, made at a rebuild: spheres near each of them, pairs of them, facets of walls.
 //
 // The search knows a polyhedron by its bounding sphere, behind the spheres in the order of points.
-// Bounding spheres do not turn, so the lists hold as long as nobody leaves its straight line.
+// Bounding spheres do not turn, so the lists hold as long as nobody leaves its straight line. Of the
+// spheres listed the planes part most for the whole life of the lists, as long as the polyhedron
+// hardly turns: these come last in their groups, and the step leaves them out.
 #pragma once
 
 #include <vector>
 
 #include "kernels/candidates.h"
+#include "scheduler/graph.h"
 #include "soa/world.h"
 
 namespace quern {
@@ -14,8 +17,10 @@ namespace quern {
 // A sphere listed with a polyhedron, in the order of the records of now.
 struct NearSphere {
   Index polyhedron, sphere;
+  bool far = false;  // cannot touch before the next rebuild unless the polyhedron turns
   bool operator<(const NearSphere& o) const {
-    return polyhedron != o.polyhedron ? polyhedron < o.polyhedron : sphere < o.sphere;
+    if (polyhedron != o.polyhedron) return polyhedron < o.polyhedron;
+    return far != o.far ? !far : sphere < o.sphere;
   }
 };
 
@@ -31,8 +36,8 @@ void take_near_spheres(std::size_t spheres, std::vector<CandidatePair>& own,
 // the sphere's tile. Then all lists are laid out anew; histories of open contacts are carried over.
 // `old_of_new`: where a sphere was before the spheres were sorted.
 template <class Real>
-void rebuild_polyhedra(World<Real>& world, const SearchInput& in, const SearchGrid& grid,
-                       const std::vector<Index>& old_of_new,
+void rebuild_polyhedra(World<Real>& world, Graph& graph, const SearchInput& in,
+                       const SearchGrid& grid, const std::vector<Index>& old_of_new,
                        std::vector<std::vector<NearSphere>>& near);
 
 }  // namespace quern

@@ -42,7 +42,21 @@ void BodyStepper<Real>::prepare(const StepConstants<double>& walls, bool rebuilt
     s.tally = PolyhedronTally();
     s.move = MoveTally();
   }
-  if (rebuilt || !indexed_) index_lists();
+  const bool first = table_.body.empty();
+  if (rebuilt || first) {
+    // Of lists that another stepper has used it is not known how far bodies have turned since.
+    if (!rebuilt) world_.polyhedra.spheres.set_unsaved();
+    index_lists();
+    lists_ = Lists::kFresh;
+  } else {
+    lists_ = Lists::kKnown;
+  }
+}
+
+template <class Real>
+void BodyStepper<Real>::place_stretch(std::size_t stretch) {
+  const std::size_t first = stretch * kStretch;
+  place_bodies(world_, first, std::min(first + kStretch, world_.polyhedra.size()), lists_, table_);
 }
 
 template <class Real>
@@ -53,15 +67,21 @@ void BodyStepper<Real>::index_lists() {
   index_by_body(
       p.size(), p.spheres.polyhedron.size(), [&](std::size_t k) { return p.spheres.polyhedron[k]; },
       group_begin_, group_of_);
+  first_pair_.assign(p.size() + 1, 0);
+  for (const PolyhedronPair& pair : p.pairs) ++first_pair_[pair.j + 1];
+  for (std::size_t k = 0; k < p.size(); ++k) first_pair_[k + 1] += first_pair_[k];
   for (Column<double>& t : torque_) t.reset(p.size());
-  indexed_ = true;
+  table_.body.resize(p.size());
+  table_.pairs.assign(p.pairs.size(), Apart());
+  table_.touches.assign(p.pairs.size(), 0);
+  table_.walls.assign(p.wall_candidate_body.size(), ApartFromWall());
 }
 
 template <class Real>
 void BodyStepper<Real>::run_stretch(std::size_t stretch, int worker) {
   PolyhedronContacts<Real>& contacts = workers_[static_cast<std::size_t>(worker)].contacts;
   const std::size_t first = stretch * kStretch;
-  contacts.collect(world_, first, std::min(first + kStretch, world_.polyhedra.size()));
+  contacts.collect(world_, table_, first, std::min(first + kStretch, world_.polyhedra.size()));
   kernels_.push_bodies(constants_, contacts.view());
   Stretch& s = stretches_[stretch];
   contacts.finish(world_, constants_, s.walls, s.totals, s.tally);
@@ -89,20 +109,23 @@ void BodyStepper<Real>::run_tile(std::size_t tile, int worker, const TileRows& r
   PolyhedronSphereBatch<Real>& batch = world_.polyhedra.spheres;
   const Particles<Real>& p = world_.particles;
   const ParticleView<Real> view = {p.record.data(), p.traits.data()};
-  for (Index g = batch.tile_begin[tile]; g < batch.tile_begin[tile + 1]; ++g) {
-    const Index body = batch.polyhedron[g], slot = batch.begin[g];
-    SphereGroup<Real> group;
-    group.body = body_state(world_, body);
-    group.sphere = batch.sphere.data() + slot;
-    group.numbers = batch.numbers.data() + slot * batch.kHistory;
-    group.count = batch.count[g];
-    group.sums = batch.sums.data() + g * batch.kSums;
-    group.overlap_cap = world_.overlap_cap;
-    const GroupLanes lanes = lanes_for(group.count, workers_[static_cast<std::size_t>(worker)]);
-    kernels_.gather_spheres(constants_, view, group, lanes);
+  Worker& scratch = workers_[static_cast<std::size_t>(worker)];
+  const Index last = batch.tile_begin[tile + 1];
+  scratch.near.clear(batch, batch.tile_begin[tile], last);
+  for (Index g = batch.tile_begin[tile]; g < last; ++g) {
+    if (g + 2 < last) {
+      const char* later = reinterpret_cast<const char*>(&table_.body[batch.polyhedron[g + 2]]);
+      for (std::size_t k = 0; k < sizeof(BodyNow); k += 64) __builtin_prefetch(later + k);
+    }
+    const BodyNow& body = table_.body[batch.polyhedron[g]];
+    const Index count = body.turned <= batch.near_turn ? batch.near[g] : batch.count[g];
+    if (count == 0) continue;
+    const GroupLanes lanes = lanes_for(count, scratch);
+    kernels_.gather_spheres(constants_, view, body.state.place, batch.sphere.data() + batch.begin[g],
+                            count, lanes);
     PolyhedronSphereGroup near;
-    near.pose = shape_pose(world_, body);
-    near.count = group.count;
+    near.pose = body.pose;
+    near.count = count;
     near.radius = lanes.radius;
     near.overlap = lanes.overlap;
     for (int a = 0; a < 3; ++a) {
@@ -111,8 +134,12 @@ void BodyStepper<Real>::run_tile(std::size_t tile, int worker, const TileRows& r
       near.point[a] = lanes.point[a];
     }
     narrow_.touch(near);
-    kernels_.push_spheres(constants_, view, group, lanes, rows, tally);
+    scratch.near.add(batch, g, count, body.state, lanes);
   }
+  if (scratch.near.empty()) return;
+  kernels_.push_spheres(constants_, view, scratch.near.view(rows.first, world_.overlap_cap), rows,
+                        tally);
+  scratch.near.give_back(batch);
 }
 
 template <class Real>
@@ -120,37 +147,37 @@ void BodyStepper<Real>::gather() {
   std::vector<PolyhedronWall>& walls = world_.polyhedra.walls;
   walls.clear();
   for (const Stretch& s : stretches_) walls.insert(walls.end(), s.walls.begin(), s.walls.end());
+  first_wall_.assign(world_.polyhedra.size() + 1, 0);
+  for (const PolyhedronWall& wall : walls) ++first_wall_[wall.particle + 1];
+  for (std::size_t k = 0; k + 1 < first_wall_.size(); ++k) first_wall_[k + 1] += first_wall_[k];
 }
 
 template <class Real>
 void BodyStepper<Real>::sum_forces(std::size_t body, Vec3& force, Vec3& torque,
                                    double& contacts) const {
   const Polyhedra<Real>& p = world_.polyhedra;
-  const auto first_pair =
-      std::lower_bound(p.pairs.begin(), p.pairs.end(), body,
-                       [](const PolyhedronPair& a, std::size_t j) { return a.j < j; });
-  for (auto pair = first_pair; pair != p.pairs.end() && pair->j == body; ++pair) {
-    if (pair->touching == 0) continue;
-    force -= pair->force;
-    torque -= pair->arm_j.cross(pair->force) + pair->moment;
+  for (Index k = first_pair_[body]; k < first_pair_[body + 1]; ++k) {
+    if (table_.touches[k] == 0) continue;
+    const PolyhedronPair& pair = p.pairs[k];
+    force -= pair.force;
+    torque -= pair.arm_j.cross(pair.force) + pair.moment;
     contacts += 1;
   }
   for (Index k = pair_begin_[body]; k < pair_begin_[body + 1]; ++k) {
+    if (table_.touches[pair_of_[k]] == 0) continue;
     const PolyhedronPair& pair = p.pairs[pair_of_[k]];
-    if (pair.touching == 0) continue;
     force += pair.force;
     torque += pair.arm_i.cross(pair.force) + pair.moment;
     contacts += 1;
   }
-  const auto first_wall =
-      std::lower_bound(p.walls.begin(), p.walls.end(), body,
-                       [](const PolyhedronWall& w, std::size_t k) { return w.particle < k; });
-  for (auto wall = first_wall; wall != p.walls.end() && wall->particle == body; ++wall) {
-    force += wall->force;
-    torque += wall->arm.cross(wall->force) + wall->moment;
+  for (Index k = first_wall_[body]; k < first_wall_[body + 1]; ++k) {
+    const PolyhedronWall& wall = p.walls[k];
+    force += wall.force;
+    torque += wall.arm.cross(wall.force) + wall.moment;
     contacts += 1;
   }
   for (Index k = group_begin_[body]; k < group_begin_[body + 1]; ++k) {
+    if (p.spheres.has_sums[group_of_[k]] == 0) continue;
     const double* sums = p.spheres.sums.data() + group_of_[k] * p.spheres.kSums;
     force += Vec3(sums[0], sums[1], sums[2]);
     torque += Vec3(sums[3], sums[4], sums[5]);
@@ -231,11 +258,28 @@ void BodyStepper<Real>::rotate_stretch(std::size_t first, std::size_t count, Str
   rotate_bodies(view, kick, dt);
 }
 
+// Asks for what sum_forces() will read of other stretches and of tiles, all over memory.
+template <class Real>
+void BodyStepper<Real>::prefetch_forces(std::size_t body) const {
+  const Polyhedra<Real>& p = world_.polyhedra;
+  for (Index k = pair_begin_[body]; k < pair_begin_[body + 1]; ++k) {
+    if (table_.touches[pair_of_[k]] == 0) continue;
+    const PolyhedronPair& pair = p.pairs[pair_of_[k]];
+    __builtin_prefetch(&pair.force);
+    __builtin_prefetch(&pair.arm_i);
+  }
+  for (Index k = group_begin_[body]; k < group_begin_[body + 1]; ++k) {
+    if (p.spheres.has_sums[group_of_[k]] == 0) continue;
+    __builtin_prefetch(&p.spheres.sums[group_of_[k] * p.spheres.kSums]);
+  }
+}
+
 template <class Real>
 void BodyStepper<Real>::move_stretch(std::size_t stretch) {
   Polyhedra<Real>& p = world_.polyhedra;
   Stretch& s = stretches_[stretch];
   const std::size_t first = stretch * kStretch, last = std::min(first + kStretch, p.size());
+  for (std::size_t body = first; body < last; ++body) prefetch_forces(body);
   for (std::size_t body = first; body < last; ++body) {
     Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
     double contacts = 0;

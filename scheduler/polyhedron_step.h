@@ -1,5 +1,6 @@
 // What polyhedra add to a step; nothing of it exists in a scene without them.
 //
+//   before             stretches: what contacts need of the bodies, in one place
 //   beside the tiles   stretches of kStretch bodies: pairs and walls { narrow phase, law }
 //   in each tile       groups of spheres near a polyhedron { gather, narrow phase, law, sums }
 //   after the tiles    stretches: { add up forces in fixed order, move, rotate }
@@ -10,6 +11,7 @@
 
 #include <vector>
 
+#include "kernels/near_lanes.h"
 #include "kernels/pairs/polyhedron_sphere.h"
 #include "kernels/polyhedron_contacts.h"
 
@@ -25,6 +27,8 @@ class BodyStepper {
   std::size_t stretches() const { return (world_.polyhedra.size() + kStretch - 1) / kStretch; }
   // Constants of this step; lists have been rebuilt or not.
   void prepare(const StepConstants<double>& walls, bool rebuilt);
+  // Before any contact: bodies of now.
+  void place_stretch(std::size_t stretch);
 
   // Contacts among bodies and with walls.
   void run_stretch(std::size_t stretch, int worker);
@@ -42,6 +46,7 @@ class BodyStepper {
   struct Worker {
     PolyhedronContacts<Real> contacts;
     std::vector<double> lanes;  // of a group
+    NearLanes<Real> near;
   };
   struct Stretch {
     std::vector<PolyhedronWall> walls;
@@ -51,6 +56,7 @@ class BodyStepper {
   };
   GroupLanes lanes_for(std::size_t count, Worker& worker) const;
   void sum_forces(std::size_t body, Vec3& force, Vec3& torque, double& contacts) const;
+  void prefetch_forces(std::size_t body) const;
   void move_body(std::size_t body, const Vec3& force, Stretch& stretch);
   void rotate_stretch(std::size_t first, std::size_t count, Stretch& stretch);
   void index_lists();
@@ -61,8 +67,10 @@ class BodyStepper {
   StepConstants<double> constants_{};
   std::vector<Worker> workers_;
   std::vector<Stretch> stretches_;
-  bool indexed_ = false;
-  std::vector<Index> pair_begin_, pair_of_, group_begin_, group_of_;  // of each body: as i; groups
+  BodyTable table_;
+  Lists lists_ = Lists::kFresh;
+  // Of each body: pairs as i, groups; the first pair as j, the first wall contact (one more at the end).
+  std::vector<Index> pair_begin_, pair_of_, group_begin_, group_of_, first_pair_, first_wall_;
   Column<double> torque_[3];
 };
 

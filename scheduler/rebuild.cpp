@@ -393,7 +393,7 @@ void rebuild(World<Real>& world, Graph& graph, RebuildScratch<Real>& s) {
     if (polyhedra) take_near_spheres(n, s.own[tile], s.near[tile]);
     if (!world.bodies.empty()) find_wall_candidates(world, s, tile);
   });
-  if (polyhedra) rebuild_polyhedra(world, in, s.grid, s.old_of_new, s.near);
+  if (polyhedra) rebuild_polyhedra(world, graph, in, s.grid, s.old_of_new, s.near);
   import_pairs(world, s);
   s.own_plan.resize(tiles);
   s.imported_plan.resize(tiles);

@@ -144,6 +144,7 @@ void Stepper<Real>::run_tasks(bool rebuilt) {
   if (!bodies_ && !world_.polyhedra.empty()) bodies_.emplace(world_, kernels_, graph_.threads());
   if (bodies_) bodies_->prepare(wall_constants_, rebuilt);
   const std::size_t stretches = bodies_ ? bodies_->stretches() : 0;
+  if (bodies_) graph_.for_each(stretches, [&](std::size_t k, int) { bodies_->place_stretch(k); });
   graph_.for_each(stretches + world_.tiles(), [&](std::size_t task, int worker) {
     if (task < stretches) {
       bodies_->run_stretch(task, worker);

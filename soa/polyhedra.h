@@ -12,6 +12,7 @@
 // Poses, momenta and narrow phase are f64 in every precision.
 #pragma once
 
+#include <algorithm>
 #include <cstring>
 #include <vector>
 
@@ -87,29 +88,52 @@ static_assert(sizeof(PolyhedronWall) == sizeof(WallSpring) + 64, "saved as bytes
 
 // Spheres near polyhedra. Groups of a tile: [tile_begin[t] .. tile_begin[t+1]); group g holds `count[g]`
 // spheres in slots [begin[g] .. begin[g+1]), padded to kShapePad by repeating the first sphere.
-// History in runs of kShapePad lanes, as in soa/pairs.h: spring x y z, force on the sphere x y z,
-// normal x y z and overlap of the last step, contact point from the polyhedron's place x y z.
+// History of a slot, in one piece because few slots of a group have one: spring x y z, force on the
+// sphere x y z, normal x y z and overlap of the last step, contact point from the polyhedron's place
+// x y z, and three unused (a cache line in f32).
+//
+// Most listed spheres never come near: the list goes by bounding spheres. The slots of a group that
+// can touch before the next rebuild, as long as points of the polyhedron have turned by no more than
+// `near_turn`, come first; `near` counts them. Such counts, flags and sums spare work, they change no
+// result: they are not saved, and after loading everything counts as near.
 template <class Real>
 struct PolyhedronSphereBatch {
-  static constexpr std::size_t kHistory = 13;
+  static constexpr std::size_t kHistory = 13, kHistoryStride = 16;
   static constexpr std::size_t kForceEnd = 6, kOverlap = 9;
   Column<Index> tile_begin, polyhedron, count, begin, sphere;
   Column<Real> numbers;
-  Column<double> sums;  // kSums a group: force and torque on the polyhedron, contacts; not saved
+  // Not saved:
+  Column<double> sums;  // kSums a group: force and torque on the polyhedron, contacts
   static constexpr std::size_t kSums = 8;
+  Column<Index> near;            // of each group
+  double near_turn = 0;          // m
+  Column<std::uint8_t> has_sums;  // of each group: its sums are not all zero
+  Column<std::uint8_t> open;      // a bit for each slot, see is_open()
 
-  Real& number(std::size_t slot, std::size_t k) {
-    return numbers[(slot / kShapePad * kHistory + k) * kShapePad + slot % kShapePad];
-  }
-  Real number(std::size_t slot, std::size_t k) const {
-    return numbers[(slot / kShapePad * kHistory + k) * kShapePad + slot % kShapePad];
-  }
+  Real& number(std::size_t slot, std::size_t k) { return numbers[slot * kHistoryStride + k]; }
+  Real number(std::size_t slot, std::size_t k) const { return numbers[slot * kHistoryStride + k]; }
   // Touching, or with a last force whose work is still to be booked.
   bool is_open(std::size_t slot) const {
     for (std::size_t k = 0; k < kForceEnd; ++k) {
       if (number(slot, k) != 0) return true;
     }
     return number(slot, kOverlap) > 0;
+  }
+  // After the groups and their history have been set.
+  void set_unsaved() {
+    const std::size_t groups = polyhedron.size();
+    sums.reset(groups * kSums);
+    sums.fill(0);
+    has_sums.reset(groups);
+    has_sums.fill(0);
+    near_turn = 0;
+    near.reset(groups);
+    std::copy(count.begin(), count.end(), near.begin());
+    open.reset(sphere.size() / kShapePad);
+    open.fill(0);
+    for (std::size_t slot = 0; slot < sphere.size(); ++slot) {
+      if (is_open(slot)) open[slot / kShapePad] |= static_cast<std::uint8_t>(1u << slot % kShapePad);
+    }
   }
   void visit(StateVisitor& v) {
     v.column("polyhedra/spheres/tile_begin", "1", tile_begin, 1);
@@ -118,7 +142,8 @@ struct PolyhedronSphereBatch {
     v.column("polyhedra/spheres/begin", "1", begin, 1);
     v.column("polyhedra/spheres/sphere", "1", sphere, 1);
     v.column("polyhedra/spheres/history", "m, N, 1, m, m", numbers, kShapePad);
-    sums.reset(polyhedron.size() * kSums);
+    QUERN_CHECK(numbers.size() == sphere.size() * kHistoryStride);
+    set_unsaved();
   }
 };
 

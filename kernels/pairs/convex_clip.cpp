@@ -93,13 +93,7 @@ double polygon_area(const ClippedPolygon& polygon, const Vec3& normal) noexcept 
   return 0.5 * twice;
 }
 
-void OverlapSums::add_face(const ClippedPolygon& polygon, const Plane& own, int plane,
-                           int side) noexcept {
-  if (polygon.corners < 3) return;
-  if (!begun_) {
-    begun_ = true;
-    reference_ = polygon.corner[0];
-  }
+void OverlapSums::add_cones(const ClippedPolygon& polygon, const Plane& own, int side) noexcept {
   const double distance = -own.height(reference_);
   const Vec3 first = polygon.corner[0] - reference_;
   for (int k = 1; k + 1 < polygon.corners; ++k) {
@@ -113,6 +107,13 @@ void OverlapSums::add_face(const ClippedPolygon& polygon, const Plane& own, int 
     side_[side] += area * own.normal;
     moment_[side] += area * middle.cross(own.normal);
   }
+}
+
+void OverlapSums::add_face(const ClippedPolygon& polygon, const Plane& own, int plane,
+                           int side) noexcept {
+  if (polygon.corners < 3) return;
+  if (!begun_) start(polygon.corner[0]);
+  add_cones(polygon, own, side);
   for (int k = 0; k < polygon.corners; ++k) {
     if (edges_ == kMaxOverlapEdges) {
       full_ = true;
@@ -131,6 +132,12 @@ double OverlapSums::width(const Vec3& n) const noexcept {
     high = k == 0 ? height : std::max(high, height);
   }
   return high - low;
+}
+
+double OverlapSums::depth_below(const Plane& plane) const noexcept {
+  double deepest = 0;
+  for (int k = 0; k < edges_; ++k) deepest = std::min(deepest, plane.height(edge_[k].from));
+  return -deepest;
 }
 
 double OverlapSums::chord(const Vec3& n, std::span<const Plane> planes,

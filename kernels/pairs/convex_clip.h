@@ -86,6 +86,12 @@ class OverlapSums {
  public:
   // `plane` is the index of the polygon's own plane, as in the labels.
   void add_face(const ClippedPolygon& polygon, const Plane& own, int plane, int side) noexcept;
+  // The same without edges, for who needs no width or chord, after start(): volumes count from there.
+  void start(const Vec3& reference) noexcept {
+    begun_ = true;
+    reference_ = reference;
+  }
+  void add_cones(const ClippedPolygon& polygon, const Plane& own, int side) noexcept;
   bool empty() const noexcept { return !begun_; }
 
   double volume() const noexcept { return volume_; }
@@ -101,6 +107,8 @@ class OverlapSums {
   }
   // Extent of the overlap along n.
   double width(const Vec3& n) const noexcept;
+  // How far the deepest corner lies behind the plane.
+  double depth_below(const Plane& plane) const noexcept;
   // Exit from the first `of_a` planes less the entry into the rest, on lines through the overlap's
   // corners and crossings; `planes` by label.
   double chord(const Vec3& n, std::span<const Plane> planes, std::size_t of_a) const noexcept;

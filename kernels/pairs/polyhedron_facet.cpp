@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "kernels/pairs/wall_patch.h"
 
@@ -34,9 +35,11 @@ struct Surface {
   Plane plane;
   Vec3 normal;  // in the frame of the wall's body
   Index group, wall;
-  Kept section;
-  double area;
-  Vec3 moment;  // integral of x cross normal
+  Kept section;       // empty: the plane does not cut the polyhedron
+  FaceSides sides;
+  double section_area;
+  double area;  // of the wall in the polyhedron
+  Vec3 moment;  // integral of x cross normal over that
   int patch;    // lowest surface of the same patch
 };
 
@@ -102,6 +105,18 @@ Plane facet_plane(const Work& work, const FacetRecord& facet) noexcept {
           facet.normal.dot(facet.corner[0] - work.pose.place) / work.pose.scale};
 }
 
+// Whether the triangle's plane, or one of those across its edges, keeps it out of the bounding sphere.
+bool out_of_reach(const ShapePose& pose, double reach, const FacetRecord& facet) noexcept {
+  const Vec3 center = pose.place - facet.corner[0];
+  if (std::abs(facet.normal.dot(center)) >= reach) return true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 side = facet.corner[(k + 1) % 3] - facet.corner[k];
+    const double beyond = side.cross(facet.normal).dot(pose.place - facet.corner[k]);
+    if (beyond > 0 && beyond * beyond >= reach * reach * side.squaredNorm()) return true;
+  }
+  return false;
+}
+
 // Index of the surface the triangle lies in, or -1 if its plane does not cut the polyhedron.
 int surface_of(Work& work, const FacetRecord& facet) noexcept {
   for (int s = work.surfaces - 1; s >= 0; --s) {
@@ -112,15 +127,28 @@ int surface_of(Work& work, const FacetRecord& facet) noexcept {
   }
   const Plane plane = facet_plane(work, facet);
   if (std::abs(plane.offset) >= work.shape.bound_radius) return -1;
-  if (!section_of_shape(work.shape, plane, work.buffers)) return -1;
-  Kept section;
-  if (work.surfaces == kMaxSurfaces || !keep_polygon(work, section)) {
+  FaceSides sides;
+  Kept section = {0, 0};
+  const bool cut = section_of_shape(work.shape, plane, work.buffers, sides);
+  if (!cut && work.surfaces >= kMaxSurfaces / 2) return -1;  // not worth remembering
+  if (work.surfaces == kMaxSurfaces || (cut && !keep_polygon(work, section))) {
     work.full = true;
     return -1;
   }
-  work.surface[static_cast<std::size_t>(work.surfaces)] = {
-      plane, facet.normal, facet.group, facet.wall, section, 0, Vec3::Zero(), work.surfaces};
-  return work.surfaces++;
+  Surface& surface = work.surface[static_cast<std::size_t>(work.surfaces)];
+  surface.plane = plane;
+  surface.normal = facet.normal;
+  surface.group = facet.group;
+  surface.wall = facet.wall;
+  surface.section = section;
+  if (cut) {
+    surface.sides = sides;
+    surface.section_area = polygon_area(*work.buffers.now, plane.normal);
+  }
+  surface.area = 0;
+  surface.moment = Vec3::Zero();
+  surface.patch = work.surfaces++;
+  return cut ? surface.patch : -1;
 }
 
 // Integral of x over the polygon, and its area.
@@ -147,15 +175,22 @@ void add_part(Work& work, Index triangle, int s) noexcept {
   Surface& surface = work.surface[static_cast<std::size_t>(s)];
   const FacetRecord& facet = work.facets.record[triangle];
   load_polygon(work, surface.section, 3);
+  bool whole = true;  // no edge comes near
+  const double reach = work.shape.bound_radius * work.pose.scale;
   for (std::size_t k = 0; k < 3; ++k) {
+    // An edge whose plane passes by the bounding sphere cuts nothing off.
+    const Vec3 side = facet.corner[(k + 1) % 3] - facet.corner[k];
+    const double beyond = side.cross(facet.normal).dot(work.pose.place - facet.corner[k]);
+    if (beyond < 0 && beyond * beyond >= reach * reach * side.squaredNorm()) continue;
     if (!clip_polygon(work.buffers, edge_plane(work, facet, k), static_cast<int>(k))) return;
+    whole = false;
   }
   const ClippedPolygon& polygon = *work.buffers.now;
   Vec3 first = Vec3::Zero();
   const double area = add_moment(polygon, surface.plane.normal, first);
   if (area <= kRounding * work.shape.bound_radius * perimeter(polygon)) return;
-  Part part{triangle, s, 0, {}};
-  if (work.parts == kMaxParts || !keep_polygon(work, part.corners)) {
+  Part part{triangle, s, 0, surface.section};
+  if (work.parts == kMaxParts || (!whole && !keep_polygon(work, part.corners))) {
     work.full = true;
     return;
   }
@@ -313,6 +348,12 @@ bool overlap_of_patch(const Work& work, int patch, const PatchSums& sums, const 
   PatchPlanes planes;
   gather_planes(work, patch, planes);
   flags |= planes.flags;
+  if (planes.count == 1) {
+    const Surface& only = work.surface[static_cast<std::size_t>(sums.largest)];
+    const Vec3& corner = work.corner[static_cast<std::size_t>(only.section.first)];
+    return overlap_behind_plane(work.shape, only.plane, only.sides, {corner, only.section_area},
+                                overlap);
+  }
   const Vec3 n = work.turned(normal);
   if (overlap_with_wall(work.shape, planes.all(), n, overlap)) return true;
   flags |= kPatchThin;
@@ -370,7 +411,9 @@ int polyhedron_facet_touches(const Facets& facets, const ShapePose& pose,
                              std::span<const Index> candidates, const WallPatchOptions& options,
                              WallPatch* out, int capacity) noexcept {
   Work work(facets, pose);
+  const double reach = work.shape.bound_radius * pose.scale;
   for (const Index triangle : candidates) {
+    if (out_of_reach(pose, reach, facets.record[triangle])) continue;
     const int s = surface_of(work, facets.record[triangle]);
     if (s < 0) continue;
     add_part(work, triangle, s);
@@ -385,6 +428,37 @@ int polyhedron_facet_touches(const Facets& facets, const ShapePose& pose,
     if (build_patch(work, s, options, patch)) insert_patch(patch, out, capacity, count);
   }
   return count;
+}
+
+double distance_from_facets(const Facets& facets, const ShapePose& pose,
+                            std::span<const Index> candidates) noexcept {
+  const Shape& shape = *pose.shape;
+  const double reach = shape.bound_radius * pose.scale;
+  // How far the polyhedron lies beyond the plane through `at` with this unit normal.
+  const auto beyond = [&](const Vec3& normal, const Vec3& at) {
+    const double center = normal.dot(pose.place - at);
+    if (center >= 2 * reach) return reach;
+    const Vec3 n = pose.turn.transpose() * normal;
+    double lowest = std::numeric_limits<double>::max();
+    for (std::size_t v = 0; v < shape.vertices; ++v) {
+      const double height = n.x() * shape.x[v] + n.y() * shape.y[v] + n.z() * shape.z[v];
+      lowest = height < lowest ? height : lowest;
+    }
+    return std::min(reach, center + pose.scale * lowest);
+  };
+  double least = reach;
+  for (const Index triangle : candidates) {
+    const FacetRecord& facet = facets.record[triangle];
+    double apart = std::max(beyond(facet.normal, facet.corner[0]),
+                            beyond(-facet.normal, facet.corner[0]));
+    for (std::size_t k = 0; k < 3 && apart < least; ++k) {
+      const Vec3 side = facet.corner[(k + 1) % 3] - facet.corner[k];
+      apart = std::max(apart, beyond(side.cross(facet.normal).normalized(), facet.corner[k]));
+    }
+    least = std::min(least, apart);
+    if (least <= 0) return 0;
+  }
+  return least;
 }
 
 }  // namespace quern

@@ -64,4 +64,10 @@ int polyhedron_facet_touches(const Facets& facets, const ShapePose& pose,
                              std::span<const Index> candidates, const WallPatchOptions& options,
                              WallPatch* out, int capacity) noexcept;
 
+// A lower bound of the distance (m) between the polyhedron and all candidates, at most its bound
+// radius: the least over the triangles of what their planes and those across their edges show. 0:
+// not known to be apart.
+double distance_from_facets(const Facets& facets, const ShapePose& pose,
+                            std::span<const Index> candidates) noexcept;
+
 }  // namespace quern

@@ -14,47 +14,46 @@
 namespace quern {
 namespace {
 
-constexpr std::size_t kFaceWords = kMaxShapeFaces / 64;
 constexpr double kAlong = 1e-12;  // rad
-using FaceSet = std::array<std::uint64_t, kFaceWords>;
 
 bool has(const FaceSet& set, std::size_t face) { return (set[face / 64] >> (face % 64)) & 1; }
 
-// Faces with a vertex behind the plane, and faces with one before it.
-struct FaceSides {
-  FaceSet behind, before;
-  double deepest, highest;  // heights of vertices
-};
-
-bool is_cut(const Shape& shape, const Plane& plane) noexcept {
+// Heights of the vertices over the plane, their least and greatest.
+void vertex_heights(const Shape& shape, const Plane& plane, double* height, FaceSides& sides) {
   double deepest = std::numeric_limits<double>::max(), highest = -deepest;
   const double* x = shape.x.data();
   const double* y = shape.y.data();
   const double* z = shape.z.data();
   for (std::size_t k = 0; k < shape.vertices; ++k) {
-    const double height =
+    const double h =
         plane.normal.x() * x[k] + plane.normal.y() * y[k] + plane.normal.z() * z[k] - plane.offset;
-    deepest = height < deepest ? height : deepest;
-    highest = height > highest ? height : highest;
+    height[k] = h;
+    deepest = h < deepest ? h : deepest;
+    highest = h > highest ? h : highest;
   }
-  return deepest < 0 && highest > 0;
+  sides.deepest = deepest;
+  sides.highest = highest;
 }
 
-FaceSides sides_of(const Shape& shape, const Plane& plane) noexcept {
-  FaceSides sides;
-  sides.deepest = std::numeric_limits<double>::max();
-  sides.highest = -sides.deepest;
-  for (std::size_t w = 0; w < shape.face_words; ++w) sides.behind[w] = sides.before[w] = 0;
-  for (std::size_t k = 0; k < shape.vertices; ++k) {
-    const double height = plane.height(shape.vertex(k));
-    sides.deepest = std::min(sides.deepest, height);
-    sides.highest = std::max(sides.highest, height);
-    FaceSet& set = height <= 0 ? sides.behind : sides.before;
-    for (std::size_t w = 0; w < shape.face_words; ++w) {
-      set[w] |= shape.vertex_faces[k * shape.face_words + w];
+void find_sides(const Shape& shape, const double* height, FaceSides& sides) noexcept {
+  const std::size_t words = shape.face_words;
+  for (std::size_t w = 0; w < words; ++w) {
+    std::uint64_t behind = 0, before = 0;
+    const std::uint64_t* faces = shape.vertex_faces.data() + w;
+    for (std::size_t k = 0; k < shape.vertices; ++k, faces += words) {
+      const std::uint64_t mask = height[k] <= 0 ? ~std::uint64_t{0} : 0;
+      behind |= *faces & mask;
+      before |= *faces & ~mask;
     }
+    sides.behind[w] = behind;
+    sides.before[w] = before;
   }
-  return sides;
+}
+
+void sides_of(const Shape& shape, const Plane& plane, FaceSides& sides) noexcept {
+  double height[kMaxShapeVertices];
+  vertex_heights(shape, plane, height, sides);
+  find_sides(shape, height, sides);
 }
 
 Plane face_plane(const Shape& shape, std::size_t f) { return {shape.normal(f), shape.d[f]}; }
@@ -87,10 +86,20 @@ void start_face(const Shape& shape, std::size_t f, ClipBuffers& buffers) noexcep
   }
 }
 
+// Behind one plane, save for limits along the normal, the depth is that of the deepest corner.
+bool bounded_by_first(std::span<const Plane> planes, const Vec3& normal) noexcept {
+  if (planes[0].normal.dot(normal) < 1 - kAlong) return false;
+  for (std::size_t k = 1; k < planes.size(); ++k) {
+    if (std::abs(planes[k].normal.dot(normal)) >= kAlong) return false;
+  }
+  return true;
+}
+
 // Planes of the shape, then those of the wall. One that lies along the normal up to rounding bounds
 // nothing along it, but would divide rounding by rounding.
 double depth_along(const Shape& shape, std::span<const Plane> planes, const Vec3& normal,
                    const OverlapSums& sums) noexcept {
+  if (bounded_by_first(planes, normal)) return sums.depth_below(planes[0]);
   std::array<Plane, kMaxShapeFaces + kMaxPatchPlanes> all;
   const auto bound = [&](const Plane& plane) {
     const bool along = std::abs(plane.normal.dot(normal)) < kAlong;
@@ -103,9 +112,35 @@ double depth_along(const Shape& shape, std::span<const Plane> planes, const Vec3
 
 }  // namespace
 
-bool section_of_shape(const Shape& shape, const Plane& plane, ClipBuffers& buffers) noexcept {
-  return is_cut(shape, plane) &&
-         section(shape, plane, sides_of(shape, plane), static_cast<int>(shape.faces), buffers);
+bool section_of_shape(const Shape& shape, const Plane& plane, ClipBuffers& buffers,
+                      FaceSides& sides) noexcept {
+  double height[kMaxShapeVertices];
+  vertex_heights(shape, plane, height, sides);
+  if (!(sides.deepest < 0 && sides.highest > 0)) return false;
+  find_sides(shape, height, sides);
+  return section(shape, plane, sides, static_cast<int>(shape.faces), buffers);
+}
+
+bool overlap_behind_plane(const Shape& shape, const Plane& plane, const FaceSides& sides,
+                          const Section& section, WallOverlap& out) noexcept {
+  ClipBuffers buffers;
+  OverlapSums sums;
+  sums.start(section.corner);
+  for (std::size_t f = 0; f < shape.faces; ++f) {
+    if (!has(sides.behind, f)) continue;
+    start_face(shape, f, buffers);
+    const int label = static_cast<int>(shape.faces);
+    if (has(sides.before, f) && !clip_polygon(buffers, plane, label)) continue;
+    sums.add_cones(*buffers.now, face_plane(shape, f), 0);
+  }
+  const double area = sums.area() + section.area;
+  if (sums.volume() <= kCoincident * shape.bound_radius * area) return false;
+  out.volume = sums.volume();
+  out.centroid = sums.centroid();
+  out.depth = -sides.deepest;
+  out.width = std::min(0.0, sides.highest) - sides.deepest;
+  out.full = buffers.full;
+  return true;
 }
 
 bool overlap_with_wall(const Shape& shape, std::span<const Plane> planes, const Vec3& normal,
@@ -118,14 +153,23 @@ bool overlap_with_wall(const Shape& shape, std::span<const Plane> planes, const 
     return true;
   };
   ClipBuffers buffers;
+  if (planes.size() == 1) {
+    FaceSides sides;
+    sides_of(shape, planes[0], sides);
+    if (sides.deepest >= 0) return false;
+    Section cut = {planes[0].offset * planes[0].normal, 0};
+    if (sides.highest > 0 && section(shape, planes[0], sides, faces, buffers)) {
+      cut = {buffers.now->corner[0], polygon_area(*buffers.now, planes[0].normal)};
+    }
+    return overlap_behind_plane(shape, planes[0], sides, cut, out);
+  }
   OverlapSums sums;
   FaceSet candidates;
   candidates.fill(~std::uint64_t{0});
-  double deepest = 0;
   for (std::size_t k = 0; k < planes.size(); ++k) {
-    const FaceSides sides = sides_of(shape, planes[k]);
+    FaceSides sides;
+    sides_of(shape, planes[k], sides);
     if (sides.deepest >= 0) return false;
-    deepest = sides.deepest;
     for (std::size_t w = 0; w < shape.face_words; ++w) candidates[w] &= sides.behind[w];
     const int label = faces + static_cast<int>(k);
     if (sides.highest > 0 && section(shape, planes[k], sides, label, buffers) && clip(buffers, k)) {
@@ -142,7 +186,7 @@ bool overlap_with_wall(const Shape& shape, std::span<const Plane> planes, const 
   if (sums.empty() || sums.volume() <= kCoincident * shape.bound_radius * sums.area()) return false;
   out.volume = sums.volume();
   out.centroid = sums.centroid();
-  out.depth = planes.size() == 1 ? -deepest : depth_along(shape, planes, normal, sums);
+  out.depth = depth_along(shape, planes, normal, sums);
   out.width = sums.width(normal);
   out.full = buffers.full || sums.full();
   return true;

@@ -13,6 +13,7 @@
 // edge of the wall passes over an edge of the shape.
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "kernels/pairs/convex_clip.h"
@@ -21,8 +22,17 @@ namespace quern {
 
 inline constexpr int kMaxPatchPlanes = 32;
 
-// The polygon in which the plane cuts the shape, in buffers.now; false if it does not.
-bool section_of_shape(const Shape& shape, const Plane& plane, ClipBuffers& buffers) noexcept;
+// Faces with a vertex behind a plane, and faces with one before it. Left uninitialised on purpose.
+using FaceSet = std::array<std::uint64_t, kMaxShapeFaces / 64>;
+struct FaceSides {
+  FaceSet behind, before;
+  double deepest, highest;  // heights of vertices
+};
+
+// The polygon in which the plane cuts the shape, in buffers.now, and the sides of the plane; false if
+// it does not cut.
+bool section_of_shape(const Shape& shape, const Plane& plane, ClipBuffers& buffers,
+                      FaceSides& sides) noexcept;
 
 struct WallOverlap {
   double volume = 0;
@@ -30,6 +40,16 @@ struct WallOverlap {
   double depth = 0, width = 0;  // along the normal that was asked
   bool full = false;            // a scratch limit was met
 };
+
+// A section that is known: one of its corners, and its area.
+struct Section {
+  Vec3 corner;
+  double area;
+};
+
+// The part of the shape behind one plane. False if it is thinner than rounding.
+bool overlap_behind_plane(const Shape& shape, const Plane& plane, const FaceSides& sides,
+                          const Section& section, WallOverlap& out) noexcept;
 
 // False if the overlap is empty or thinner than rounding. At most kMaxPatchPlanes planes.
 bool overlap_with_wall(const Shape& shape, std::span<const Plane> planes, const Vec3& normal,

@@ -125,15 +125,15 @@ void add_sphere_groups(PolyhedronSphereBatch<Real>& batch, Numbers& number) {
   const Index sphere[3][2] = {{0, 1}, {2, 2}, {4, 5}};
   batch.sphere.reset(3 * pad);
   for (Index s = 0; s < 3 * pad; ++s) batch.sphere[s] = sphere[s / pad][s % pad == 1 ? 1 : 0];
-  batch.numbers.reset(3 * pad * batch.kHistory);
+  batch.numbers.reset(3 * pad * batch.kHistoryStride);
   batch.numbers.fill(0);
-  batch.sums.reset(3 * batch.kSums);
   for (const Index slot : {0u, 2 * pad}) {
     for (std::size_t k = 0; k < batch.kHistory; ++k) {
       batch.number(slot, k) = static_cast<Real>(number());
     }
   }
   batch.number(1, batch.kOverlap) = Real(-0.5);  // apart: what is known of the gap
+  batch.set_unsaved();
 }
 
 template <class Real>

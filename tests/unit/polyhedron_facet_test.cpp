@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "kernels/polyhedron_contacts.h"
 #include "tests/support/test_shapes.h"
 
 namespace quern::test {
@@ -102,6 +103,43 @@ TEST(PolyhedronOnPlate, IsTheSameInEveryTriangulationAndSizeOfThePlate) {
       EXPECT_EQ(two[0].normal, one[0].normal);
     }
   }
+}
+
+// What spares the narrow phase: a body found apart is moved and turned within what its distance
+// allows, and must not touch. The valley's edges, its outer ones and its slopes all bound some poses.
+TEST(PolyhedronApartFromWall, TouchesNothingAsLongAsItsDistanceHolds) {
+  Random random(31);
+  const Facets valley = facets_of(strip({{-1, 0.5}, {0, 0}, {1, 0.5}}));
+  std::vector<Index> all;
+  for (Index t = 0; t < valley.triangles(); ++t) all.push_back(t);
+  const double scale = 0.1;
+  int apart = 0, held = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const Shape shape = rock(12, static_cast<unsigned>(trial % 5 + 1));
+    const Vec3 place(random(-1.2, 1.2), random(-1.2, 1.2), random(-0.2, 0.7));
+    const ShapePose pose{&shape, scale, place, random.turn()};
+    const double distance = distance_from_facets(valley, pose, all);
+    if (!touches(valley, pose).empty()) {
+      EXPECT_EQ(distance, 0);
+      continue;
+    }
+    if (distance == 0) continue;
+    ++apart;
+    const ApartFromWall known{pose.place, pose.turn, distance};
+    for (int k = 0; k < 8; ++k) {
+      const double turned = random(0, 1.2) * distance / (scale * shape.bound_radius);
+      const double moved_by = random(0, 1.2) * distance;
+      ShapePose now = pose;
+      const Vec3 axis = random.turn().col(0);
+      now.turn = Eigen::AngleAxisd(turned, axis).toRotationMatrix() * pose.turn;
+      now.place += moved_by * random.turn().col(0);
+      if (!known.holds(now)) continue;
+      ++held;
+      EXPECT_TRUE(touches(valley, now).empty());
+    }
+  }
+  EXPECT_GT(apart, 500);
+  EXPECT_GT(held, 500);
 }
 
 // Area and moment are those of the section, the point is the centroid of what is below: brute

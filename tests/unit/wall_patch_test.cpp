@@ -130,7 +130,8 @@ TEST(WallPatch, PlanesThatMissLeaveNothing) {
   const Plane away{Vec3::UnitZ(), -3};
   EXPECT_FALSE(overlap_with_wall(shape, {&away, 1}, Vec3::UnitZ(), found));
   ClipBuffers buffers;
-  EXPECT_FALSE(section_of_shape(shape, away, buffers));
+  FaceSides sides;
+  EXPECT_FALSE(section_of_shape(shape, away, buffers, sides));
 }
 
 }  // namespace
