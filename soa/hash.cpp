@@ -171,8 +171,10 @@ std::uint64_t state_hash(const World<Real>& world) {
   h.add(world.clock.step);
   h.add(world.clock.total_steps);
   for (const Body& body : world.bodies) {
-    for (int k = 0; k < 9; ++k) h.add(body.pose.rotation(k / 3, k % 3));
-    h.add(body.pose.shift);
+    // Of this moment: the body's own pose is that of the last step, and not restored.
+    const Pose pose = pose_at(body.motion, world.wall_time());
+    for (int k = 0; k < 9; ++k) h.add(pose.rotation(k / 3, k % 3));
+    h.add(pose.shift);
   }
   const Ledger& l = world.ledger;
   for (const double v : {l.kinetic, l.elastic, l.wall_work, l.gravity_work, l.contact_work, l.slide,
