@@ -8,6 +8,9 @@
 #include <cmath>
 #include <filesystem>
 
+#include "io/file_commit.h"
+#include "io/log.h"
+
 namespace quern {
 namespace {
 
@@ -19,11 +22,42 @@ FileMode file_mode(const std::string& path, SeriesMode mode) {
                                                                       : FileMode::kCreateGrowing;
 }
 
+std::string beside(const std::string& path, const char* name) {
+  return std::filesystem::path(path).replace_extension(std::string(name) + ".h5").string();
+}
+
+void copy_whole(const std::string& from, const std::string& to) {
+  PendingFile copy("series", to);
+  std::error_code error;
+  std::filesystem::copy_file(from, copy.temporary(),
+                             std::filesystem::copy_options::overwrite_existing, error);
+  if (error) {
+    throw SystemError(
+        fmt::format("cannot write series '{}': copy '{}': {}", to, from, error.message()));
+  }
+  copy.commit(Durability::kKill);
+}
+
+// The path, after the kept copy has taken the place of a file that does not open.
+const std::string& mend(const std::string& path, SeriesMode mode) {
+  const std::string kept = beside(path, "previous"), damaged = beside(path, "damaged");
+  if (mode != SeriesMode::kAppend || !std::filesystem::exists(path)) return path;
+  try {
+    Hdf5File("series", path, FileMode::kUpdate).close();
+  } catch (const SystemError& error) {
+    if (!std::filesystem::exists(kept)) throw;
+    rename_file("series", path, damaged);
+    copy_whole(kept, path);
+    log_warn(fmt::format("going on with '{}' as '{}', because: {}", kept, path, error.what()));
+  }
+  return path;
+}
+
 }  // namespace
 
 SeriesWriter::SeriesWriter(const std::string& path, const std::vector<Quantity>& quantities,
                            SeriesMode mode)
-    : file_("series", path, file_mode(path, mode)) {
+    : path_(path), file_("series", mend(path, mode), file_mode(path, mode)) {
   for (const Quantity& quantity : quantities) names_.push_back(quantity.name);
   const auto time = std::find(names_.begin(), names_.end(), "time");
   QUERN_CHECK(time != names_.end());
@@ -75,6 +109,8 @@ void SeriesWriter::cut(std::size_t rows) {
   }
   rows_ = rows;
 }
+
+void SeriesWriter::keep() const { copy_whole(path_, beside(path_, "previous")); }
 
 void SeriesWriter::append(std::span<const double> row) {
   QUERN_CHECK(row.size() == names_.size());

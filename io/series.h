@@ -6,7 +6,9 @@
 //
 // After each row the file is flushed, so a killed run leaves a file that h5py opens, at most one
 // row short. Kills between two writes may leave datasets of unequal length: opening cuts to the
-// shortest.
+// shortest. A kill within a write can leave a file that does not open at all: keep() puts a copy
+// beside it, OUT/run.previous.h5, from which kAppend goes on then; what did not open stays as
+// OUT/run.damaged.h5.
 #pragma once
 
 #include <span>
@@ -41,6 +43,7 @@ class SeriesWriter {
   // be the same, or makes a new one if there is none.
   SeriesWriter(const std::string& path, const std::vector<Quantity>& quantities, SeriesMode mode);
 
+  void keep() const;                         // with each checkpoint, before it is written
   void append(std::span<const double> row);  // one value a quantity, in their order
   void truncate_after(double time);          // drops rows with a later time
   std::size_t rows() const { return rows_; }
@@ -61,6 +64,7 @@ class SeriesWriter {
   void open(const std::vector<Quantity>& quantities);
   void cut(std::size_t rows);
 
+  std::string path_;
   Hdf5File file_;
   std::vector<std::string> names_;
   std::size_t time_ = 0;  // index of "time"

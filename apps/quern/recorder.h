@@ -35,6 +35,8 @@ class Recorder {
   template <class Real>
   void after_step(World<Real>& world);
 
+  void keep() const { series_.keep(); }  // with each checkpoint
+
   template <class Real>
   void write_summary(World<Real>& world, const RunFigures& figures);
 

@@ -266,6 +266,7 @@ class Run {
     header.version = QUERN_VERSION;
     header.time = world_.time();
     header.step = world_.clock.step;
+    if (recorder_) recorder_->keep();
     write_checkpoint(folder, header, [&](StateVisitor& v) { world_.visit(v); });
     last_checkpoint_ = now();
   }
