@@ -95,6 +95,9 @@ void fields(Io& io, RunSpec& run) {
   io({"soft_stiffness", "stiffness factor of the soft phase of settling; 1: no soft phase", kNumber,
       Range::kFraction},
      run.soft_stiffness);
+  io({"calm", "how long a drag takes the swinging away after a soft phase, before the last 0.1 s",
+      kTime, Range::kNotNegative},
+     run.calm_time);
   io({"start", "place the particles, or take them from start_file"}, run.start);
   io({"start_file", "checkpoint to start from"}, run.start_file);
   io({"relax", "overlaps of start_file are let go this long; default: 0.2 s if spheres become "

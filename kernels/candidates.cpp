@@ -175,8 +175,9 @@ void size_cells(const SearchInput& in, std::size_t entries, double largest, doub
   }
 }
 
-// Whether the pair's gap falls below the slack within the window on straight lines, nearest image.
-bool meets(const SearchInput& in, const SearchPoint& i, const SearchPoint& j) {
+// Whether the pair's gap falls below the slack within the window on straight lines, nearest image;
+// sets gap and speed if it does.
+bool meets(const SearchInput& in, const SearchPoint& i, const SearchPoint& j, CandidatePair& pair) {
   double xv = 0, vv = 0, xx = 0;
   for (std::size_t a = 0; a < 3; ++a) {
     double dx = i.x[a] - j.x[a];
@@ -190,8 +191,12 @@ bool meets(const SearchInput& in, const SearchPoint& i, const SearchPoint& j) {
   double time = 0;
   if (xv < 0) time = vv * in.window > -xv ? -xv / vv : in.window;
   const double d2 = xx + time * (2 * xv + time * vv);
-  const double reach = i.radius + j.radius + in.slack;
-  return d2 < reach * reach;
+  const double touch = i.radius + j.radius, reach = touch + in.slack;
+  if (d2 >= reach * reach) return false;
+  const double gap = std::sqrt(d2) - touch;
+  pair.gap = static_cast<float>(gap - 1e-7 * std::abs(gap));
+  pair.speed = static_cast<float>(std::sqrt(vv));
+  return true;
 }
 
 }  // namespace
@@ -282,7 +287,8 @@ void find_candidates(const SearchInput& in, const SearchGrid& grid, Index first,
         const SearchPoint& other = in.point[j];
         const bool larger = other.radius > mine.radius ||
                             (other.radius == mine.radius && other.id > mine.id);
-        if (larger && meets(in, mine, other)) out.push_back({i, j});
+        CandidatePair pair = {i, j, 0, 0};
+        if (larger && meets(in, mine, other, pair)) out.push_back(pair);
       }
     }
     std::sort(out.begin() + static_cast<std::ptrdiff_t>(begin), out.end(),

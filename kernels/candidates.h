@@ -78,6 +78,8 @@ inline double nearest_image(double dx, double period) {
 
 struct CandidatePair {
   Index i, j;
+  float gap;    // m, the smallest on straight lines in the window, rounded down
+  float speed;  // m/s, of one relative to the other
 };
 
 // Builds the levels. May allocate.

@@ -116,6 +116,7 @@ struct MoveView {
   double* spin[3];              // f64 spin, rad/s
   const double* list_place[3];  // position when the lists were built
   const float* list_velocity[3];
+  const float* list_allowance;  // m, allowed distance from the straight line
   double list_time;             // s since the lists were built, at the end of this step
   double kick;                  // s, of the velocities: dt, or dt/2 on the first step
   double gravity[3];
@@ -130,6 +131,7 @@ struct MoveTally {
   double moment_of_mass[3] = {0, 0, 0};  // kg m, sum of m x
   double drag_loss = 0;      // J, taken out by settling's drag
   double max_deviation2 = 0; // m^2, from the straight lines of the lists
+  double strays = 0;         // particles that left their lines by more than they may
   double bad = 0;            // particles not finite or outside
 };
 

@@ -78,10 +78,11 @@ HWY_INLINE void prefetch_block(const MoveView<Real>& m, std::size_t at) {
     hwy::Prefetch(m.list_place[a] + at);
     hwy::Prefetch(m.list_velocity[a] + at);
   }
+  hwy::Prefetch(m.list_allowance + at);
 }
 
 struct MoveSumV {
-  hn::Vec<D64> translational, rotational, momentum[3], moment[3], drag, deviation, bad;
+  hn::Vec<D64> translational, rotational, momentum[3], moment[3], drag, deviation, strays, bad;
 };
 
 template <class Real>
@@ -95,7 +96,7 @@ void move_spheres(const MoveView<Real>& m, const TileRows& tile, double dt, Move
   const Vec3V<V> gravity = {hn::Set(d, m.gravity[0]), hn::Set(d, m.gravity[1]),
                             hn::Set(d, m.gravity[2])};
   const ParticleView<Real> view = {m.now, m.traits_now};
-  MoveSumV sum = {zero, zero, {zero, zero, zero}, {zero, zero, zero}, zero, zero, zero};
+  MoveSumV sum = {zero, zero, {zero, zero, zero}, {zero, zero, zero}, zero, zero, zero, zero};
   HWY_ALIGN Index lane[16];
   for (std::size_t k = 0; k < tile.size; k += lanes) {
     const std::size_t at = tile.first + k;
@@ -165,7 +166,11 @@ void move_spheres(const MoveView<Real>& m, const TileRows& tile, double dt, Move
       return hn::MulAdd(v, elapsed, hn::LoadU(d, m.list_place[axis] + at));
     };
     const Vec3V<V> off = place - Vec3V<V>{line(0), line(1), line(2)};
-    sum.deviation = hn::Max(sum.deviation, count_if(dot(off, off)));
+    const V off2 = count_if(dot(off, off));
+    const V allowed = hn::PromoteTo(d, hn::LoadU(hn::Rebind<float, D64>(), m.list_allowance + at));
+    sum.deviation = hn::Max(sum.deviation, off2);
+    sum.strays = hn::Add(sum.strays, hn::IfThenElseZero(hn::Gt(off2, hn::Mul(allowed, allowed)),
+                                                        hn::Set(d, 1)));
     const auto inside = [&](V v, int axis) HWY_ATTR {
       return hn::And(hn::Ge(v, hn::Set(d, m.low[axis])), hn::Le(v, hn::Set(d, m.high[axis])));
     };
@@ -181,6 +186,7 @@ void move_spheres(const MoveView<Real>& m, const TileRows& tile, double dt, Move
   }
   tally.drag_loss += sum_lanes(sum.drag);
   tally.bad += sum_lanes(sum.bad);
+  tally.strays += sum_lanes(sum.strays);
   HWY_ALIGN double deviation[hn::MaxLanes(D64())];
   hn::Store(sum.deviation, d, deviation);
   for (std::size_t l = 0; l < lanes; ++l) {

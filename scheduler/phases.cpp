@@ -15,8 +15,7 @@ constexpr double kTrueLawTime = 0.1;    // s, the end of every settling
 constexpr double kSoftDrag = 12, kRainDrag = 4;
 constexpr double kStiffenTime = 0.12;   // s; a deep bed rises by centimetres while it stiffens
 constexpr int kStiffenStages = 48;      // so many that a stage releases a tenth of the overlap
-// 1/s, and s at full stiffness: the bed swings up and down, and falls together again, slowly.
-constexpr double kStiffenDrag = 60, kCalmTime = 0.12;
+constexpr double kStiffenDrag = 60;  // 1/s: the bed swings up and down, and falls together again, slowly
 constexpr double kRelaxTrueLawTime = 0.05;  // s, the end of every relaxing
 constexpr double kRelaxDrag = 20;           // 1/s
 constexpr double kFirstCap = 1e-4, kLastCap = 1e-2;  // of the smallest polyhedron's radius
@@ -63,7 +62,7 @@ void add_settling(const Scene& scene, double dt, double depth, double rest_energ
       plan.push_back({Phase::kStiffen, stiffness, stage_dt, kStiffenDrag,
                       steps_in(kStiffenTime / kStiffenStages, stage_dt), 0});
     }
-    plan.push_back({Phase::kStiffen, 1, dt, kStiffenDrag, steps_in(kCalmTime, dt), 0});
+    plan.push_back({Phase::kStiffen, 1, dt, kStiffenDrag, steps_in(run.calm_time, dt), 0});
     plan.push_back({Phase::kSettle, 1, dt, 0, steps_in(kTrueLawTime, dt), 0});
   } else {
     plan.push_back({Phase::kSettle, 1, dt, 0, steps_in(total, dt), until_rest ? rest_energy : 0});

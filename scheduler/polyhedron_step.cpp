@@ -203,7 +203,9 @@ void BodyStepper<Real>::move_body(std::size_t body, const Vec3& force, Stretch& 
   const Vec3 line(p.list_x[body] + listed * static_cast<double>(p.list_vx[body]),
                   p.list_y[body] + listed * static_cast<double>(p.list_vy[body]),
                   p.list_z[body] + listed * static_cast<double>(p.list_vz[body]));
-  t.max_deviation2 = std::max(t.max_deviation2, (place - line).squaredNorm());
+  const double deviation2 = (place - line).squaredNorm(), allowed = 0.5 * clock.slack;
+  t.max_deviation2 = std::max(t.max_deviation2, deviation2);
+  if (deviation2 > allowed * allowed) t.strays += 1;
   bool inside = true;
   for (std::size_t a = 0; a < 3; ++a) {
     const Eigen::Index e = static_cast<Eigen::Index>(a);

@@ -11,7 +11,7 @@ namespace quern {
 namespace {
 
 constexpr std::uint64_t kShortestWindow = 4, kLongestWindow = 4000;
-constexpr std::uint64_t kShortLife = 25, kLongLife = 120;  // steps
+constexpr std::uint64_t kShortLife = 45, kLongLife = 200;  // steps
 // A big ball has hundreds of small partners in other tiles: it takes several lanes.
 constexpr Index kLongestImport = 12;
 constexpr std::size_t kChunk = 4096;  // particles per task where order does not matter
@@ -314,6 +314,7 @@ void find_wall_candidates(World<Real>& world, RebuildScratch<Real>& s, std::size
       const Vec3 in_body = body.pose.rotation.transpose() * (x - body.pose.shift);
       find_facets(body.facets, in_body, reach, c.facet);
       if (c.facet.size() == c.first.back()) continue;
+      s.speed[k] = std::max(s.speed[k], static_cast<float>((v - body.velocity.at(x)).norm()));
       c.particle.push_back(static_cast<Index>(k));
       c.body.push_back(static_cast<Index>(b));
       c.first.push_back(static_cast<Index>(c.facet.size()));
@@ -370,6 +371,7 @@ void rebuild(World<Real>& world, Graph& graph, RebuildScratch<Real>& s) {
     return;
   }
   s.points.resize(n);
+  s.speed.assign(n, 0);
   if (n > 0) {
     wrap_positions(world);
     order_particles(world, graph, s);
@@ -395,10 +397,16 @@ void rebuild(World<Real>& world, Graph& graph, RebuildScratch<Real>& s) {
   });
   if (polyhedra) rebuild_polyhedra(world, graph, in, s.grid, s.old_of_new, s.near);
   import_pairs(world, s);
+  graph.for_each(tiles, [&](std::size_t tile, int) {
+    set_allowances(world, s.points, tile,
+                   {s.own[tile], s.imported[tile], polyhedra ? &s.near[tile] : nullptr}, s.speed);
+  });
   s.own_plan.resize(tiles);
   s.imported_plan.resize(tiles);
   graph.for_each(tiles, [&](std::size_t tile, int) {
     const Index first = static_cast<Index>(tile * world.tile_size);
+    drop_apart(world.particles.list_allowance, s.own[tile]);
+    drop_apart(world.particles.list_allowance, s.imported[tile]);
     arrange<true>(in, s.own[tile], first, s.own_plan[tile]);
     arrange<false>(in, s.imported[tile], first, s.imported_plan[tile]);
   });

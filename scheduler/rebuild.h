@@ -2,13 +2,14 @@
 // candidates, carry the history of every contact over. Nothing of the physics changes by it.
 //
 //   wrap -> curve order -> permute columns -> grid -> own pairs per tile -> import pairs of other
-//   tiles -> fill slots with springs from the old slots -> candidates for walls
+//   tiles -> allowances -> fill slots with springs from the old slots -> candidates for walls
 #pragma once
 
 #include <vector>
 
 #include "kernels/candidates.h"
 #include "scheduler/graph.h"
+#include "scheduler/list_allowance.h"
 #include "scheduler/polyhedron_lists.h"
 #include "soa/world.h"
 
@@ -35,6 +36,7 @@ struct RebuildScratch {
   std::vector<std::vector<CandidatePair>> imported;  // per tile
   std::vector<std::vector<NearSphere>> near;         // per tile, of polyhedra
   std::vector<BlockPlan> own_plan, imported_plan;    // per tile
+  std::vector<float> speed;  // m/s, of the fastest meeting of each sphere
   Particles<Real> sorted;
   PairBatch<Real> pairs;
 };

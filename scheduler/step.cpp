@@ -131,6 +131,7 @@ void Stepper<Real>::run_tile(std::size_t tile, int worker) {
     m.low[a] = periodic ? -1e30 : world_.low[a];
     m.high[a] = periodic ? 1e30 : world_.high[a];
   }
+  m.list_allowance = p.list_allowance.data();
   const Clock& clock = world_.clock;
   m.list_time = static_cast<double>(clock.total_steps + 1 - clock.list_step) * clock.dt;
   m.drag = world_.drag;
@@ -284,8 +285,7 @@ StepReport Stepper<Real>::step() {
   ++clock.total_steps;
   clock.first_kick = 0;
   const bool expired = clock.total_steps - clock.list_step > clock.list_window;
-  const double allowed = 0.5 * clock.slack;
-  if (expired || world_.totals.max_deviation2 > allowed * allowed) {
+  if (expired || world_.totals.strays > 0) {
     adapt_lists(clock, {expired, std::sqrt(world_.totals.max_deviation2), world_.smallest_radius});
     clock.list_stale = 1;
   }

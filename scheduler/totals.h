@@ -15,6 +15,7 @@ void add_move(const MoveTally& from, To& to) {
   to.rotational += from.rotational;
   to.drag_loss += from.drag_loss;
   to.bad += from.bad;
+  to.strays += from.strays;
   to.max_deviation2 = std::max(to.max_deviation2, from.max_deviation2);
   for (std::size_t a = 0; a < 3; ++a) {
     to.momentum[a] += from.momentum[a];

@@ -20,5 +20,6 @@
   X(float, list_vx, "m/s", "velocity the lists were built with")                               \
   X(float, list_vy, "m/s", "velocity the lists were built with")                               \
   X(float, list_vz, "m/s", "velocity the lists were built with")                               \
+  X(float, list_allowance, "m", "how far it may leave its line before the lists are stale")    \
   X(Index, pair_first, "1", "first own slot in the pair batch; the others follow 16 apart")                                \
   X(Index, pair_count, "1", "own slots in the pair batch")

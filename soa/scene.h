@@ -192,6 +192,7 @@ struct RunSpec {
   SettleKind settle = SettleKind::kNone;
   double settle_time = 0;       // kDuration: total; kUntilRest: the most allowed (0: automatic)
   double soft_stiffness = 0.01;  // stiffness factor of the soft phase; 1: no soft phase
+  double calm_time = 0.12;       // s, with a drag at full stiffness, after the soft phase
   StartKind start = StartKind::kFill;
   std::string start_file;
   // s, with start_file: overlaps are let go gently before the run; default: 0.2 where spheres of the

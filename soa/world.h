@@ -74,7 +74,7 @@ struct StepTotals {
   double pair_contacts = 0, wall_contacts = 0, warnings = 0, max_overlap = 0;
   double translational = 0, rotational = 0, drag_loss = 0;
   std::array<double, 3> momentum{}, moment_of_mass{};
-  double max_deviation2 = 0, bad = 0;
+  double max_deviation2 = 0, strays = 0, bad = 0;
   // Of pair_contacts and wall_contacts, those of polyhedra.
   double polyhedron_sphere_contacts = 0, polyhedron_pair_contacts = 0, polyhedron_wall_contacts = 0;
 };
@@ -114,7 +114,7 @@ struct Clock {
   std::uint64_t list_window = 20;  // steps the lists were built for
   std::uint64_t list_stale = 1;
   std::uint64_t rebuilds = 0;
-  double slack = 0;              // m, of the lists
+  double slack = 0;              // m, of the lists: two particles may stray by half of it at most
   std::uint64_t fixed_slack = 0;  // the scene gave it: never adapted
   std::uint64_t first_kick = 1;  // the next step starts from full-step velocities
   std::uint64_t inserted = 0;    // particles inserted so far (rain)

@@ -225,19 +225,25 @@ HWY_INLINE void prefetch_row(const ParticleView<Real>& p, const Index* partner, 
                              std::size_t width) {
   for (std::size_t k = 0; k < hn::MaxLanes(Lanes<Real>()); ++k) {
     hwy::Prefetch(p.record + partner[k]);
-    hwy::Prefetch(p.traits + partner[k]);
   }
   for (std::size_t k = 0; k < width; k += kPairPad) hwy::Prefetch(numbers + k);
 }
 
+// The owners of the next block, and as many particles of the next tile, which are its partners.
 template <class Real>
-HWY_INLINE void prefetch_owners(const ParticleView<Real>& p, const Index* owner, std::size_t block,
-                                std::size_t blocks) {
-  if (block >= blocks) return;
-  for (std::size_t k = 0; k < kPairPad; ++k) {
-    hwy::Prefetch(p.record + owner[block * kPairPad + k]);
-    hwy::Prefetch(p.traits + owner[block * kPairPad + k]);
+HWY_INLINE void prefetch_next_block(const ParticleView<Real>& p, const PairView<Real>& pairs,
+                               std::size_t block, const TileRows& tile) {
+  if (block + 1 < pairs.all) {
+    const Index* owner = pairs.owner + (block + 1) * kPairPad;
+    for (std::size_t k = 0; k < kPairPad; ++k) {
+      hwy::Prefetch(p.record + owner[k]);
+      hwy::Prefetch(p.traits + owner[k]);
+    }
   }
+  const std::size_t next = tile.first + tile.size + block * kPairPad;
+  constexpr std::size_t kTraitsInLine = 64 / sizeof(Traits<Real>);
+  for (std::size_t k = 0; k < kPairPad; ++k) hwy::Prefetch(p.record + next + k);
+  for (std::size_t k = 0; k < kPairPad; k += kTraitsInLine) hwy::Prefetch(p.traits + next + k);
 }
 
 // Blocks of one part. Vectors narrower than a block take it in pieces.
@@ -262,7 +268,7 @@ HWY_INLINE void sphere_sphere_blocks(const StepConstants<Real>& step, const Part
       for (auto& half : block.sums.sum) {
         for (auto& v : half) v = hn::Zero(D64());
       }
-      if (piece == 0) prefetch_owners(p, pairs.owner, at + 1, pairs.all);
+      if (piece == 0) prefetch_next_block(p, pairs, at, tile);
       for (std::size_t row = pairs.row_begin[at]; row < pairs.row_begin[at + 1]; ++row) {
         const Index* partner = pairs.partner + row * kPairPad + piece;
         Real* numbers = pairs.numbers + row * width + piece;

@@ -23,7 +23,7 @@ struct Crowd {
   Column<Record<Real>> now, next;
   Column<Traits<Real>> traits, traits_next;
   Column<double> spin[3], place[3], rows;
-  Column<float> velocity[3];
+  Column<float> velocity[3], allowance;
   std::size_t size;
 
   Crowd(std::size_t count, unsigned seed) : size(count) {
@@ -39,6 +39,7 @@ struct Crowd {
       place[a].reset(n);
       velocity[a].reset(n);
     }
+    allowance.reset(n);
     rows.reset((count + 16) * kRowWidth);
     for (double& r : rows) r = random(-10, 10);
     for (std::size_t k = 0; k < n; ++k) {
@@ -54,6 +55,7 @@ struct Crowd {
                 static_cast<Real>(w.z()),
                 static_cast<Real>(random(0.005, 0.05))};
       next[k] = now[k];
+      allowance[k] = static_cast<float>(random(0, 8e-3));
       traits[k].inverse_mass = static_cast<Real>(1 / random(0.01, 5));
       traits[k].tag = make_tag(static_cast<std::uint32_t>(random.below(5)), 77);
       for (int a = 0; a < 3; ++a) {
@@ -81,6 +83,7 @@ struct Crowd {
       m.low[a] = -3;
       m.high[a] = a == 2 ? 1e30 : 3;
     }
+    m.list_allowance = allowance.data();
     m.list_time = 0.1;
     m.kick = 0.5 * dt;
     m.drag = 0.999;
@@ -119,6 +122,8 @@ void check_move(std::size_t count, unsigned seed) {
     sum.moment_of_mass[2] += mass * r.z;
     scale.moment_of_mass[2] += mass * 4;
     sum.max_deviation2 = std::max(sum.max_deviation2, e.deviation2);
+    const double allowed = static_cast<double>(crowd.allowance[at]);
+    sum.strays += e.deviation2 > allowed * allowed;
     sum.bad += std::abs(e.place.x()) > 3 || std::abs(e.place.y()) > 3 || e.place.z() < -3;
   }
   MoveTally got;
@@ -148,6 +153,7 @@ void check_move(std::size_t count, unsigned seed) {
   EXPECT_NEAR(got.momentum[1], sum.momentum[1], kUlps * scale.momentum[1]);
   EXPECT_NEAR(got.moment_of_mass[2], sum.moment_of_mass[2], kUlps * scale.moment_of_mass[2]);
   EXPECT_NEAR(got.max_deviation2, sum.max_deviation2, kUlps * 10);
+  EXPECT_EQ(got.strays, sum.strays);
   EXPECT_EQ(got.bad, sum.bad);
 }
 

@@ -40,6 +40,7 @@ void expect_same(const RunSpec& a, const RunSpec& b) {
   EXPECT_EQ(a.settle, b.settle);
   EXPECT_EQ(a.settle_time, b.settle_time);
   EXPECT_EQ(a.soft_stiffness, b.soft_stiffness);
+  EXPECT_EQ(a.calm_time, b.calm_time);
   EXPECT_EQ(a.start, b.start);
   EXPECT_EQ(a.start_file, b.start_file);
   EXPECT_EQ(a.relax, b.relax);
@@ -272,6 +273,7 @@ gravity = ["0.1 m/s^2", "0 m/s^2", "-9.7 m/s^2"]
 settle = "until-rest"
 settle_limit = "2 min"
 soft_stiffness = 0.1
+calm = "0.3 s"
 start = "file"
 start_file = "points.csv"
 relax = "0.3 s"

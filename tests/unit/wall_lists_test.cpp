@@ -69,7 +69,7 @@ struct Flight {
     for (std::size_t k = 0; k < start.size(); ++k) {
       Record<double>& r = world.particles.record[k];
       Vec3 off(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
-      off *= 0.499 * world.clock.slack / off.norm();
+      off *= 0.998 * world.particles.list_allowance[k] / off.norm();
       r.x = start[k].x + world.time() * start[k].vx + off.x();
       r.y = start[k].y + world.time() * start[k].vy + off.y();
       r.z = start[k].z + world.time() * start[k].vz + off.z();
