@@ -108,7 +108,8 @@ void enter_phase(World<Real>& world, const Scene& scene, const std::vector<Phase
                  std::size_t row) {
   const PhasePlan& phase = plan.at(row);
   Clock& clock = world.clock;
-  set_stiffness(world, scene, phase.stiffness);
+  // With a drag, that is, outside the true law, what swings sideways is to come to rest as well.
+  set_law(world, scene, {phase.stiffness, phase.drag > 0});
   world.drag = std::exp(-phase.drag * phase.dt);
   world.overlap_cap = phase.overlap_cap * smallest_polyhedron(world);
   world.moving_walls = phase.kind == Phase::kRun;

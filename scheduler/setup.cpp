@@ -178,12 +178,14 @@ class GeometryBuilder {
 
 template <class Real>
 LawColumns<Real> law_columns(const Scene& scene, const std::vector<PairValues>& pairs,
-                             double factor) {
+                             const LawChange& change) {
   LawColumns<Real> law;
   for (const PairValues& p : pairs) {
     const double zeta = damping_ratio(p.restitution, scene.contact.normal_force);
-    const double kn = factor * p.normal_stiffness, kt = factor * p.tangential_stiffness;
-    const double at = scene.contact.tangential_damping ? 2 * zeta * std::sqrt(kt * 2 / 7) : 0;
+    const double kn = change.stiffness * p.normal_stiffness;
+    const double kt = change.stiffness * p.tangential_stiffness;
+    const bool damped = change.damped || scene.contact.tangential_damping;
+    const double at = damped ? 2 * zeta * std::sqrt(kt * 2 / 7) : 0;
     law.normal_stiffness.push_back(static_cast<Real>(kn));
     law.tangential_stiffness.push_back(static_cast<Real>(kt));
     law.normal_damping.push_back(static_cast<Real>(2 * zeta * std::sqrt(kn)));
@@ -323,11 +325,12 @@ SceneGeometry build_geometry(const Scene& scene, std::span<const std::vector<Tri
 }
 
 template <class Real>
-void set_stiffness(World<Real>& world, const Scene& scene, double factor) {
+void set_law(World<Real>& world, const Scene& scene, const LawChange& change) {
   const std::vector<PairValues> pairs = resolve_pairs(scene);
-  world.law = law_columns<Real>(scene, pairs, factor);
-  world.wall_law = law_columns<double>(scene, pairs, factor);
-  world.patch.volume_stiffness = factor * scene.contact.volume_stiffness.value_or(0);
+  world.law = law_columns<Real>(scene, pairs, change);
+  world.wall_law = law_columns<double>(scene, pairs, change);
+  world.patch.volume_stiffness = change.stiffness * scene.contact.volume_stiffness.value_or(0);
+  world.damped = change.damped || scene.contact.tangential_damping;
 }
 
 template <class Real>
@@ -381,8 +384,7 @@ World<Real> make_world(const Scene& scene, SceneGeometry geometry,
   world.clock.fixed_slack = scene.run.list_slack ? 1 : 0;
   world.clock.dt = choose_time_step(scene, all);
   world.pairs.rolling = world.rolling;
-  world.damped = scene.contact.tangential_damping;
-  set_stiffness(world, scene, 1);
+  set_law(world, scene, {});
   append_particles(world, scene, present);
   return world;
 }
@@ -393,7 +395,7 @@ template World<double> make_world(const Scene&, SceneGeometry, std::span<const P
                                  std::span<const ParticleSeed>, std::vector<Shape>);
 template void append_particles(World<float>&, const Scene&, std::span<const ParticleSeed>);
 template void append_particles(World<double>&, const Scene&, std::span<const ParticleSeed>);
-template void set_stiffness(World<float>&, const Scene&, double);
-template void set_stiffness(World<double>&, const Scene&, double);
+template void set_law(World<float>&, const Scene&, const LawChange&);
+template void set_law(World<double>&, const Scene&, const LawChange&);
 
 }  // namespace quern

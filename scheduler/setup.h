@@ -65,8 +65,12 @@ template <class Real>
 void append_particles(World<Real>& world, const Scene& scene,
                       std::span<const ParticleSeed> particles);
 
-// Fills the tables with stiffness times `factor` (1: the scene's own).
+// How the law of a phase differs from the scene's.
+struct LawChange {
+  double stiffness = 1;  // factor on all stiffnesses
+  bool damped = false;   // tangential damping even if the scene has none
+};
 template <class Real>
-void set_stiffness(World<Real>& world, const Scene& scene, double factor);
+void set_law(World<Real>& world, const Scene& scene, const LawChange& change);
 
 }  // namespace quern

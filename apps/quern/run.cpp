@@ -192,6 +192,10 @@ class Run {
     world_.clock.phase = 0;
     world_.clock.dt = loaded_.dt;
     world_.clock.list_stale = 1;
+    world_.clock.rebuilds = 0;
+    const std::optional<double> slack = loaded_.scene.run.list_slack;
+    world_.clock.fixed_slack = slack ? 1 : 0;
+    if (slack) world_.clock.slack = *slack;
     world_.ledger = Ledger();
     world_.window = Window();
   }

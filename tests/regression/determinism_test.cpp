@@ -40,6 +40,7 @@ struct Case {
   const char* name;
   Scene (*scene)(const std::vector<std::string>&);
 };
+void PrintTo(const Case& c, std::ostream* to) { *to << c.name; }
 class Determinism : public testing::TestWithParam<Case> {
  protected:
   Start start(const std::vector<std::string>& more = {}) const {

@@ -62,6 +62,7 @@ struct Case {
   const char* name;
   Scene (*scene)(const Overrides&);
 };
+void PrintTo(const Case& c, std::ostream* to) { *to << c.name; }
 
 class PolyhedraInMotion : public testing::TestWithParam<Case> {
  protected:

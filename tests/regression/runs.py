@@ -18,7 +18,7 @@ def read_json(path):
         return None
 
 
-def run_once(quern, scene, folder, settings):
+def run_once(quern, scene, folder, settings, threads=1):
     """The summary of a run; `settings` are the texts that follow --set."""
     with open(scene, encoding="utf-8") as file:
         asked = {"scene": file.read(), "settings": list(settings)}
@@ -31,11 +31,11 @@ def run_once(quern, scene, folder, settings):
             json.dump(asked, file)
     elif (read_json(summary) or {}).get("finished"):
         return read_json(summary)
-    command = [quern, "run", scene, "--out", folder, "--threads", "1"]
+    command = [quern, "run", scene, "--out", folder, "--threads", str(threads)]
     for setting in settings:
         command += ["--set", setting]
     if os.path.isfile(os.path.join(folder, "checkpoint.h5")):
-        command = [quern, "resume", folder, "--threads", "1"]
+        command = [quern, "resume", folder, "--threads", str(threads)]
     with open(os.path.join(folder, "log"), "a", encoding="utf-8") as log:
         subprocess.run(command, check=True, stdout=log, stderr=log)
     return read_json(summary)
