@@ -38,10 +38,9 @@ void place_bodies(const World<Real>& world, std::size_t first, std::size_t last,
     const Shape& shape = world.shapes[p.shape[k]];
     now.pose = {&shape, p.scale[k], now.state.place, q.toRotationMatrix()};
     now.reach = p.scale[k] * shape.bound_radius;
-    // |q1 - q0| = 2 sin(angle / 4): points move by at most 2 R sin(angle / 2) <= 2 R |q1 - q0|.
-    const double chord2 = std::min((q.coeffs() - now.orientation.coeffs()).squaredNorm(),
-                                   (q.coeffs() + now.orientation.coeffs()).squaredNorm());
-    now.turned = lists == Lists::kFresh ? 0 : now.turned + 2 * now.reach * std::sqrt(chord2);
+    now.turned = lists == Lists::kFresh
+                     ? 0
+                     : now.turned + way_of_points(now.orientation, q, now.reach);
     now.orientation = q;
   }
 }

@@ -7,6 +7,8 @@
 // once; other stretches read its force afterwards. Scalar f64 but for the law: such contacts are few.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -65,6 +67,14 @@ struct BodyTable {
   std::vector<std::uint8_t> touches;  // each listed pair
   std::vector<ApartFromWall> walls;  // of each entry of wall candidates
 };
+
+// How far the turn from one orientation to another moves points within `reach` of the centre, at most:
+// |q1 - q0| = 2 sin(angle / 4), and points move by no more than 2 reach sin(angle / 2).
+inline double way_of_points(const Quat& from, const Quat& to, double reach) {
+  const double chord2 = std::min((to.coeffs() - from.coeffs()).squaredNorm(),
+                                 (to.coeffs() + from.coeffs()).squaredNorm());
+  return 2 * reach * std::sqrt(chord2);
+}
 
 // Bodies [first, last) of now. `fresh`: the lists are new, or the first seen.
 enum class Lists : std::uint8_t { kFresh, kKnown };

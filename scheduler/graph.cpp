@@ -3,6 +3,7 @@
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_sort.h>
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
@@ -47,6 +48,11 @@ void Graph::for_each(std::size_t count, const std::function<void(std::size_t, in
         [&](std::size_t k) { run(k, tbb::this_task_arena::current_thread_index()); },
         tbb::simple_partitioner());
   });
+}
+
+void Graph::sort(std::vector<CurveKey>& keys) {
+  if (!arena_) return std::sort(keys.begin(), keys.end());
+  arena_->arena.execute([&] { tbb::parallel_sort(keys.begin(), keys.end()); });
 }
 
 }  // namespace quern

@@ -4,12 +4,22 @@
 // bit of the result. shuffle(seed) makes the queue run in another order, to prove it in tests.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <vector>
 
+#include "soa/base.h"
+
 namespace quern {
+
+// A particle's place on the space-filling curve; no two are equal.
+struct CurveKey {
+  std::uint64_t curve;
+  Index id, row;
+  auto operator<=>(const CurveKey&) const = default;
+};
 
 class Graph {
  public:
@@ -25,6 +35,7 @@ class Graph {
   // Runs task(k, worker) for k = 0 ... count-1; worker is below threads() and belongs to one thread
   // at a time. Returns when all are done; the first exception of a task is rethrown.
   void for_each(std::size_t count, const std::function<void(std::size_t, int)>& task);
+  void sort(std::vector<CurveKey>& keys);
 
  private:
   struct Arena;

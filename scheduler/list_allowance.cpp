@@ -7,19 +7,25 @@ namespace quern {
 
 namespace {
 
-constexpr double kQuietShare = 0.05; // of half the slack: what a sphere among resting ones may do
+constexpr double kQuietShare = 0.05;  // of half the slack: what a sphere among resting ones may do
 
-float relative_speed(const SearchPoint& a, const SearchPoint& b) {
-  float v2 = 0;
-  for (std::size_t k = 0; k < 3; ++k) v2 += (a.v[k] - b.v[k]) * (a.v[k] - b.v[k]);
-  return std::sqrt(v2);
-}
+// m: the least and the most that a centre may stray, and the time it has for it.
+struct Limits {
+  double quiet, most, window;
+  explicit Limits(const Clock& clock)
+      // Rounding must not lift an allowance above half the slack, which the search went by.
+      : quiet(kQuietShare * 0.5 * clock.slack),
+        most((1 - 1e-6) * 0.5 * clock.slack),
+        window(static_cast<double>(clock.list_window) * clock.dt) {}
+  double way(float speed) const { return quiet + window * static_cast<double>(speed); }
+  float allowance(float speed) const { return static_cast<float>(std::min(most, way(speed))); }
+};
 
 }  // namespace
 
 template <class Real>
-void set_allowances(World<Real>& world, const std::vector<SearchPoint>& points, std::size_t tile,
-                    const TileMeetings& meetings, std::vector<float>& speed) {
+void set_allowances(World<Real>& world, std::size_t tile, const TileMeetings& meetings,
+                    std::vector<float>& speed) {
   Particles<Real>& p = world.particles;
   const std::size_t n = p.size(), first = tile * world.tile_size;
   const std::size_t last = std::min<std::size_t>(n, first + world.tile_size);
@@ -30,16 +36,21 @@ void set_allowances(World<Real>& world, const std::vector<SearchPoint>& points, 
   }
   for (const CandidatePair& pair : meetings.imported) raise(pair.j, pair.speed);
   if (meetings.near != nullptr) {
-    for (const NearSphere& near : *meetings.near) {
-      raise(near.sphere, relative_speed(points[near.sphere], points[n + near.polyhedron]));
-    }
+    for (const NearSphere& near : *meetings.near) raise(near.sphere, near.speed);
   }
-  const double window = static_cast<double>(world.clock.list_window) * world.clock.dt;
-  // Rounding must not lift it above half the slack, which the search went by.
-  const double most = 0.5 * (1 - 1e-6) * world.clock.slack;
-  for (std::size_t k = first; k < last; ++k) {
-    const double way = kQuietShare * most + window * static_cast<double>(speed[k]);
-    p.list_allowance[k] = static_cast<float>(std::min(most, way));
+  const Limits limits(world.clock);
+  for (std::size_t k = first; k < last; ++k) p.list_allowance[k] = limits.allowance(speed[k]);
+}
+
+template <class Real>
+void set_body_allowances(World<Real>& world, const std::vector<float>& speed) {
+  Polyhedra<Real>& p = world.polyhedra;
+  const Limits limits(world.clock);
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    const double reach = p.scale[k] * world.shapes[p.shape[k]].bound_radius;
+    p.list_allowance[k] = limits.allowance(speed[k]);
+    p.list_turn[k] =
+        static_cast<float>(limits.way(speed[k]) + limits.window * p.spin(k).norm() * reach);
   }
 }
 
@@ -50,9 +61,9 @@ void drop_apart(const Column<float>& allowance, std::vector<CandidatePair>& pair
   });
 }
 
-template void set_allowances(World<float>&, const std::vector<SearchPoint>&, std::size_t,
-                             const TileMeetings&, std::vector<float>&);
-template void set_allowances(World<double>&, const std::vector<SearchPoint>&, std::size_t,
-                             const TileMeetings&, std::vector<float>&);
+template void set_allowances(World<float>&, std::size_t, const TileMeetings&, std::vector<float>&);
+template void set_allowances(World<double>&, std::size_t, const TileMeetings&, std::vector<float>&);
+template void set_body_allowances(World<float>&, const std::vector<float>&);
+template void set_body_allowances(World<double>&, const std::vector<float>&);
 
 }  // namespace quern

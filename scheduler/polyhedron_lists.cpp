@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scheduler/list_allowance.h"
 #include "scheduler/rebuild.h"
 
 namespace quern {
@@ -28,16 +29,18 @@ struct OldSlots {
 
 template <class Real>
 OldSlots open_slots(const PolyhedronSphereBatch<Real>& batch, std::size_t bodies) {
-  OldSlots old;
   std::vector<std::vector<std::pair<Index, Index>>> of(bodies);
   for (std::size_t g = 0; g < batch.polyhedron.size(); ++g) {
-    for (Index k = 0; k < batch.count[g]; ++k) {
-      const Index slot = batch.begin[g] + k;
-      bool open = false;
-      for (std::size_t a = 0; a < 6; ++a) open = open || batch.number(slot, a) != 0;
-      if (open) of[batch.polyhedron[g]].emplace_back(batch.sphere[slot], slot);
+    for (std::size_t block = batch.begin[g] / kShapePad; block < batch.begin[g + 1] / kShapePad;
+         ++block) {
+      for (std::uint32_t bits = batch.open[block]; bits != 0; bits &= bits - 1) {
+        const Index slot =
+            static_cast<Index>(block * kShapePad) + static_cast<Index>(__builtin_ctz(bits));
+        of[batch.polyhedron[g]].emplace_back(batch.sphere[slot], slot);
+      }
     }
   }
+  OldSlots old;
   old.begin.push_back(0);
   for (auto& slots : of) {
     std::sort(slots.begin(), slots.end());
@@ -47,13 +50,16 @@ OldSlots open_slots(const PolyhedronSphereBatch<Real>& batch, std::size_t bodies
   return old;
 }
 
-// Whether the straight lines of sphere and polyhedron, each left by no more than half the slack, keep
-// some plane of the polyhedron between them all the window long, if the polyhedron turns by no more
-// than `turn` (m, of its points).
+// Whether the straight lines of sphere and polyhedron, each left by no more than it may be, keep
+// some plane of the polyhedron between them all the window long, if the polyhedron turns no more
+// than it may.
 template <class Real>
-bool stays_far(const World<Real>& world, const SearchInput& in, const NearSphere& pair,
-               const Mat3& into_body, double turn) {
+bool stays_apart(const World<Real>& world, const SearchInput& in, const NearSphere& pair,
+                 const Mat3& into_body) {
   const Polyhedra<Real>& p = world.polyhedra;
+  const double strayed = static_cast<double>(world.particles.list_allowance[pair.sphere]) +
+                         static_cast<double>(p.list_allowance[pair.polyhedron]);
+  if (static_cast<double>(pair.gap) > strayed) return true;
   const SearchPoint& sphere = in.point[pair.sphere];
   const SearchPoint& body = in.point[world.particles.size() + pair.polyhedron];
   Vec3 apart, path;
@@ -65,12 +71,13 @@ bool stays_far(const World<Real>& world, const SearchInput& in, const NearSphere
     if (period <= 0) continue;
     apart[e] -= period * std::nearbyint(apart[e] / period);
     // Another image may come nearer.
-    if (std::abs(apart[e]) + std::abs(path[e]) + in.slack > 0.5 * period) return false;
+    if (std::abs(apart[e]) + std::abs(path[e]) + strayed > 0.5 * period) return false;
   }
   const Vec3 begin = into_body * apart, way = into_body * path;
   const Shape& shape = world.shapes[p.shape[pair.polyhedron]];
   const double scale = p.scale[pair.polyhedron];
-  const double reach = 1.000001 * (sphere.radius + in.slack + turn);
+  const double reach =
+      1.000001 * (sphere.radius + strayed + static_cast<double>(p.list_turn[pair.polyhedron]));
   for (std::size_t f = 0; f < shape.faces; ++f) {
     const Vec3 normal = shape.normal(f);
     const double height = normal.dot(begin) - scale * shape.d[f];
@@ -83,100 +90,108 @@ Index padded(std::size_t n) {
   return static_cast<Index>((n + kShapePad - 1) / kShapePad * kShapePad);
 }
 
+// Sorts a tile's spheres by polyhedron and drops those that stay apart and have no history.
+template <class Real>
+void choose_near(const World<Real>& world, const SearchInput& in, const OldSlots& old,
+                 const std::vector<Index>& old_of_new, std::vector<NearSphere>& near) {
+  std::sort(near.begin(), near.end());
+  Index body = kNoIndex;
+  Mat3 into_body;
+  std::erase_if(near, [&](const NearSphere& pair) {
+    if (pair.polyhedron != body) {
+      body = pair.polyhedron;
+      into_body = world.polyhedra.orientation(body).toRotationMatrix().transpose();
+    }
+    return stays_apart(world, in, pair, into_body) &&
+           old.find(body, old_of_new[pair.sphere]) == kNoIndex;
+  });
+}
+
+// Groups of a tile, from group and slot on.
+template <class Real>
+void fill_groups(const std::vector<NearSphere>& near, const PolyhedronSphereBatch<Real>& before,
+                 const OldSlots& old, const std::vector<Index>& old_of_new, Index group, Index slot,
+                 PolyhedronSphereBatch<Real>& now) {
+  for (std::size_t first = 0; first < near.size(); ++group) {
+    std::size_t end = first;
+    while (end < near.size() && near[end].polyhedron == near[first].polyhedron) ++end;
+    const Index body = near[first].polyhedron, count = static_cast<Index>(end - first);
+    now.polyhedron[group] = body;
+    now.count[group] = count;
+    now.begin[group] = slot;
+    for (Index lane = 0; lane < padded(count); ++lane, ++slot) {
+      const bool empty = lane >= count;
+      const Index sphere = near[first + (empty ? 0 : lane)].sphere;
+      now.sphere[slot] = sphere;
+      const Index was = empty ? kNoIndex : old.find(body, old_of_new[sphere]);
+      for (std::size_t a = 0; a < now.kHistoryStride; ++a) {
+        now.number(slot, a) = was == kNoIndex ? Real(0) : before.number(was, a);
+      }
+    }
+    first = end;
+  }
+}
+
 template <class Real>
 void lay_out_spheres(World<Real>& world, Graph& graph, const SearchInput& in,
                      const std::vector<Index>& old_of_new,
                      std::vector<std::vector<NearSphere>>& near) {
   using Batch = PolyhedronSphereBatch<Real>;
+  const std::size_t tiles = near.size();
   const OldSlots old = open_slots(world.polyhedra.spheres, world.polyhedra.size());
-  const double turn = 0.5 * in.slack;
-  graph.for_each(near.size(), [&](std::size_t tile, int) {
-    std::sort(near[tile].begin(), near[tile].end());
-    Index body = kNoIndex;
-    Mat3 into_body;
-    for (NearSphere& pair : near[tile]) {
-      if (pair.polyhedron != body) {
-        body = pair.polyhedron;
-        into_body = world.polyhedra.orientation(body).toRotationMatrix().transpose();
+  std::vector<Index> slot_begin(tiles + 1, 0), group_begin(tiles + 1, 0);
+  graph.for_each(tiles, [&](std::size_t tile, int) {
+    choose_near(world, in, old, old_of_new, near[tile]);
+    for (std::size_t first = 0; first < near[tile].size();) {
+      std::size_t end = first;
+      while (end < near[tile].size() &&
+             near[tile][end].polyhedron == near[tile][first].polyhedron) {
+        ++end;
       }
-      pair.far = old.find(body, old_of_new[pair.sphere]) == kNoIndex &&
-                 stays_far(world, in, pair, into_body, turn);
+      slot_begin[tile + 1] += padded(end - first);
+      ++group_begin[tile + 1];
+      first = end;
     }
-    std::sort(near[tile].begin(), near[tile].end());
   });
+  for (std::size_t tile = 0; tile < tiles; ++tile) {
+    slot_begin[tile + 1] += slot_begin[tile];
+    group_begin[tile + 1] += group_begin[tile];
+  }
   const Batch before = std::move(world.polyhedra.spheres);
   Batch& now = world.polyhedra.spheres = Batch();
-  std::vector<Index> polyhedron, count, begin, near_count;
-  Index slots = 0;
-  now.tile_begin.reset(near.size() + 1);
-  for (std::size_t tile = 0; tile < near.size(); ++tile) {
-    now.tile_begin[tile] = static_cast<Index>(polyhedron.size());
-    for (std::size_t k = 0; k < near[tile].size();) {
-      std::size_t end = k, not_far = 0;
-      while (end < near[tile].size() && near[tile][end].polyhedron == near[tile][k].polyhedron) {
-        not_far += near[tile][end++].far ? 0 : 1;
-      }
-      near_count.push_back(static_cast<Index>(not_far));
-      polyhedron.push_back(near[tile][k].polyhedron);
-      count.push_back(static_cast<Index>(end - k));
-      begin.push_back(slots);
-      slots += padded(end - k);
-      k = end;
-    }
-  }
-  now.tile_begin[near.size()] = static_cast<Index>(polyhedron.size());
-  begin.push_back(slots);
-  const auto to_column = [](const std::vector<Index>& from, Column<Index>& to) {
-    to.reset(from.size());
-    std::copy(from.begin(), from.end(), to.begin());
-  };
-  to_column(polyhedron, now.polyhedron);
-  to_column(count, now.count);
-  to_column(begin, now.begin);
-  now.sphere.reset(slots);
-  now.numbers.reset(slots * Batch::kHistoryStride);
-  now.numbers.fill(0);
-  std::size_t group = 0;
-  for (const auto& tile : near) {
-    for (std::size_t k = 0; k < tile.size(); ++group) {
-      for (Index lane = 0; lane < padded(count[group]); ++lane) {
-        const bool empty = lane >= count[group];
-        const Index slot = begin[group] + lane;
-        const Index sphere = tile[k + (empty ? 0 : lane)].sphere;
-        now.sphere[slot] = sphere;
-        const Index was = empty ? kNoIndex : old.find(polyhedron[group], old_of_new[sphere]);
-        if (was == kNoIndex) continue;
-        for (std::size_t a = 0; a < Batch::kHistory; ++a) {
-          now.number(slot, a) = before.number(was, a);
-        }
-      }
-      k += count[group];
-    }
-  }
+  now.reset(group_begin[tiles], slot_begin[tiles]);
+  now.begin[group_begin[tiles]] = slot_begin[tiles];
+  now.tile_begin.reset(tiles + 1);
+  std::copy(group_begin.begin(), group_begin.end(), now.tile_begin.begin());
+  graph.for_each(tiles, [&](std::size_t tile, int) {
+    fill_groups(near[tile], before, old, old_of_new, group_begin[tile], slot_begin[tile], now);
+  });
   now.set_unsaved();
-  to_column(near_count, now.near);
-  now.near_turn = turn;
 }
 
 template <class Real>
-void lay_out_pairs(World<Real>& world, std::vector<std::pair<Index, Index>>& found) {
-  std::sort(found.begin(), found.end());
+void lay_out_pairs(World<Real>& world, std::vector<CandidatePair>& found) {
   std::vector<PolyhedronPair>& pairs = world.polyhedra.pairs;
+  std::sort(found.begin(), found.end(), [](const CandidatePair& a, const CandidatePair& b) {
+    return a.j != b.j ? a.j < b.j : a.i < b.i;
+  });
   std::vector<PolyhedronPair> now;
   now.reserve(found.size());
   auto old = pairs.begin();
-  for (const auto& [j, i] : found) {
-    while (old != pairs.end() && (old->j < j || (old->j == j && old->i < i))) ++old;
-    const bool known = old != pairs.end() && old->j == j && old->i == i;
+  for (const CandidatePair& pair : found) {
+    while (old != pairs.end() && (old->j < pair.j || (old->j == pair.j && old->i < pair.i))) {
+      ++old;
+    }
+    const bool known = old != pairs.end() && old->j == pair.j && old->i == pair.i;
     now.push_back(known ? *old : PolyhedronPair());
-    now.back().j = j;
-    now.back().i = i;
+    now.back().j = pair.j;
+    now.back().i = pair.i;
   }
   pairs = std::move(now);
 }
 
 template <class Real>
-void find_walls(World<Real>& world) {
+void find_walls(World<Real>& world, std::vector<float>& speed) {
   Polyhedra<Real>& p = world.polyhedra;
   p.wall_candidate_begin.assign(1, 0);
   p.wall_candidate_facet_begin.assign(1, 0);
@@ -194,6 +209,7 @@ void find_walls(World<Real>& world) {
       const Vec3 in_body = body.pose.rotation.transpose() * (x - body.pose.shift);
       find_facets(body.facets, in_body, reach, p.wall_candidate_facet);
       if (p.wall_candidate_facet.size() == p.wall_candidate_facet_begin.back()) continue;
+      speed[k] = std::max(speed[k], static_cast<float>((v - body.velocity.at(x)).norm()));
       p.wall_candidate_body.push_back(static_cast<Index>(b));
       p.wall_candidate_facet_begin.push_back(static_cast<Index>(p.wall_candidate_facet.size()));
     }
@@ -221,6 +237,10 @@ void add_points(World<Real>& world, std::vector<SearchPoint>& points) {
     p.list_vx[k] = static_cast<float>(p.vx[k]);
     p.list_vy[k] = static_cast<float>(p.vy[k]);
     p.list_vz[k] = static_cast<float>(p.vz[k]);
+    p.list_qw[k] = p.qw[k];
+    p.list_qx[k] = p.qx[k];
+    p.list_qy[k] = p.qy[k];
+    p.list_qz[k] = p.qz[k];
     points.push_back({{p.x[k], p.y[k], p.z[k]},
                       bound_radius(world, k),
                       {p.list_vx[k], p.list_vy[k], p.list_vz[k]},
@@ -234,39 +254,60 @@ void take_near_spheres(std::size_t spheres, std::vector<CandidatePair>& own,
   near.clear();
   const auto kept = std::remove_if(own.begin(), own.end(), [&](const CandidatePair& pair) {
     if (pair.j < spheres) return false;
-    near.push_back({pair.j - static_cast<Index>(spheres), pair.i});
+    near.push_back({pair.j - static_cast<Index>(spheres), pair.i, pair.gap, pair.speed});
     return true;
   });
   own.erase(kept, own.end());
 }
 
 template <class Real>
-void rebuild_polyhedra(World<Real>& world, Graph& graph, const SearchInput& in,
-                       const SearchGrid& grid, const std::vector<Index>& old_of_new,
-                       std::vector<std::vector<NearSphere>>& near) {
+void search_polyhedra(World<Real>& world, const SearchInput& in, const SearchGrid& grid,
+                      BodyCandidates& found) {
   const Index spheres = static_cast<Index>(world.particles.size());
   const Index all = spheres + static_cast<Index>(world.polyhedra.size());
   std::vector<CandidatePair> own;
   find_candidates(in, grid, spheres, all, own);
-  std::vector<std::pair<Index, Index>> pairs;
+  found.pairs.clear();
   for (const CandidatePair& pair : own) {
     const Index body = pair.i - spheres;
     if (pair.j < spheres) {
-      near[pair.j / world.tile_size].push_back({body, pair.j});
+      found.near[pair.j / world.tile_size].push_back({body, pair.j, pair.gap, pair.speed});
     } else {
-      pairs.push_back(std::minmax(body, pair.j - spheres));
+      const Index other = pair.j - spheres;
+      found.pairs.push_back({std::max(body, other), std::min(body, other), pair.gap, pair.speed});
     }
   }
-  lay_out_spheres(world, graph, in, old_of_new, near);
-  lay_out_pairs(world, pairs);
-  find_walls(world);
+  found.speed.assign(world.polyhedra.size(), 0);
+  const auto raise = [&](Index body, float to) {
+    found.speed[body] = std::max(found.speed[body], to);
+  };
+  for (const CandidatePair& pair : found.pairs) {
+    raise(pair.i, pair.speed);
+    raise(pair.j, pair.speed);
+  }
+  for (const auto& near : found.near) {
+    for (const NearSphere& pair : near) raise(pair.polyhedron, pair.speed);
+  }
+  find_walls(world, found.speed);
+}
+
+template <class Real>
+void lay_out_polyhedra(World<Real>& world, Graph& graph, const SearchInput& in,
+                       const std::vector<Index>& old_of_new, BodyCandidates& found) {
+  drop_apart(world.polyhedra.list_allowance, found.pairs);
+  lay_out_spheres(world, graph, in, old_of_new, found.near);
+  lay_out_pairs(world, found.pairs);
 }
 
 template void add_points(World<float>&, std::vector<SearchPoint>&);
 template void add_points(World<double>&, std::vector<SearchPoint>&);
-template void rebuild_polyhedra(World<float>&, Graph&, const SearchInput&, const SearchGrid&,
-                                const std::vector<Index>&, std::vector<std::vector<NearSphere>>&);
-template void rebuild_polyhedra(World<double>&, Graph&, const SearchInput&, const SearchGrid&,
-                                const std::vector<Index>&, std::vector<std::vector<NearSphere>>&);
+template void search_polyhedra(World<float>&, const SearchInput&, const SearchGrid&,
+                               BodyCandidates&);
+template void search_polyhedra(World<double>&, const SearchInput&, const SearchGrid&,
+                               BodyCandidates&);
+template void lay_out_polyhedra(World<float>&, Graph&, const SearchInput&,
+                                const std::vector<Index>&, BodyCandidates&);
+template void lay_out_polyhedra(World<double>&, Graph&, const SearchInput&,
+                                const std::vector<Index>&, BodyCandidates&);
 
 }  // namespace quern

@@ -1,9 +1,8 @@
 // Lists of polyhedra, made at a rebuild: spheres near each of them, pairs of them, facets of walls.
 //
 // The search knows a polyhedron by its bounding sphere, behind the spheres in the order of points.
-// Bounding spheres do not turn, so the lists hold as long as nobody leaves its straight line. Of the
-// spheres listed the planes part most for the whole life of the lists, as long as the polyhedron
-// hardly turns: these come last in their groups, and the step leaves them out.
+// Of the spheres found the planes part most for the whole life of the lists, as long as nobody leaves
+// its straight line and no polyhedron turns by more than it may (list_allowance.h): they are dropped.
 #pragma once
 
 #include <vector>
@@ -17,14 +16,20 @@ namespace quern {
 // A sphere listed with a polyhedron, in the order of the records of now.
 struct NearSphere {
   Index polyhedron, sphere;
-  bool far = false;  // cannot touch before the next rebuild unless the polyhedron turns
+  float gap, speed;  // of the bounding sphere, as CandidatePair has them
   bool operator<(const NearSphere& o) const {
-    if (polyhedron != o.polyhedron) return polyhedron < o.polyhedron;
-    return far != o.far ? !far : sphere < o.sphere;
+    return polyhedron != o.polyhedron ? polyhedron < o.polyhedron : sphere < o.sphere;
   }
 };
 
-// Points of the polyhedra behind those of the spheres; notes where and how fast they are.
+// Candidates of polyhedra. Pairs of them count bodies, the lower one is j.
+struct BodyCandidates {
+  std::vector<std::vector<NearSphere>> near;  // per tile of the sphere
+  std::vector<CandidatePair> pairs;
+  std::vector<float> speed;  // m/s, of the fastest meeting of each body
+};
+
+// Points of the polyhedra behind those of the spheres; notes where, how fast and how turned they are.
 template <class Real>
 void add_points(World<Real>& world, std::vector<SearchPoint>& points);
 
@@ -32,12 +37,16 @@ void add_points(World<Real>& world, std::vector<SearchPoint>& points);
 void take_near_spheres(std::size_t spheres, std::vector<CandidatePair>& own,
                        std::vector<NearSphere>& near);
 
-// Candidates of the polyhedra themselves: pairs, and spheres larger than they, which go to `near` of
-// the sphere's tile. Then all lists are laid out anew; histories of open contacts are carried over.
-// `old_of_new`: where a sphere was before the spheres were sorted.
+// Candidates of the polyhedra themselves: pairs, facets of walls, and spheres larger than they, which
+// go to `near` of the sphere's tile. Sets the speeds of the polyhedra's meetings with all of them.
 template <class Real>
-void rebuild_polyhedra(World<Real>& world, Graph& graph, const SearchInput& in,
-                       const SearchGrid& grid, const std::vector<Index>& old_of_new,
-                       std::vector<std::vector<NearSphere>>& near);
+void search_polyhedra(World<Real>& world, const SearchInput& in, const SearchGrid& grid,
+                      BodyCandidates& found);
+
+// Lays the lists out anew when all allowances are known; drops who stays apart, carries histories of
+// open contacts over. `old_of_new`: where a sphere was before the spheres were sorted.
+template <class Real>
+void lay_out_polyhedra(World<Real>& world, Graph& graph, const SearchInput& in,
+                       const std::vector<Index>& old_of_new, BodyCandidates& found);
 
 }  // namespace quern

@@ -44,8 +44,6 @@ void BodyStepper<Real>::prepare(const StepConstants<double>& walls, bool rebuilt
   }
   const bool first = table_.body.empty();
   if (rebuilt || first) {
-    // Of lists that another stepper has used it is not known how far bodies have turned since.
-    if (!rebuilt) world_.polyhedra.spheres.set_unsaved();
     index_lists();
     lists_ = Lists::kFresh;
   } else {
@@ -118,8 +116,7 @@ void BodyStepper<Real>::run_tile(std::size_t tile, int worker, const TileRows& r
       for (std::size_t k = 0; k < sizeof(BodyNow); k += 64) __builtin_prefetch(later + k);
     }
     const BodyNow& body = table_.body[batch.polyhedron[g]];
-    const Index count = body.turned <= batch.near_turn ? batch.near[g] : batch.count[g];
-    if (count == 0) continue;
+    const Index count = batch.count[g];
     const GroupLanes lanes = lanes_for(count, scratch);
     kernels_.gather_spheres(constants_, view, body.state.place, batch.sphere.data() + batch.begin[g],
                             count, lanes);
@@ -203,7 +200,8 @@ void BodyStepper<Real>::move_body(std::size_t body, const Vec3& force, Stretch& 
   const Vec3 line(p.list_x[body] + listed * static_cast<double>(p.list_vx[body]),
                   p.list_y[body] + listed * static_cast<double>(p.list_vy[body]),
                   p.list_z[body] + listed * static_cast<double>(p.list_vz[body]));
-  const double deviation2 = (place - line).squaredNorm(), allowed = 0.5 * clock.slack;
+  const double deviation2 = (place - line).squaredNorm();
+  const double allowed = static_cast<double>(p.list_allowance[body]);
   t.max_deviation2 = std::max(t.max_deviation2, deviation2);
   if (deviation2 > allowed * allowed) t.strays += 1;
   bool inside = true;
@@ -258,6 +256,10 @@ void BodyStepper<Real>::rotate_stretch(std::size_t first, std::size_t count, Str
   }
   view.count = count;
   rotate_bodies(view, kick, dt);
+  for (std::size_t k = first; k < first + count; ++k) {
+    const double way = way_of_points(p.list_orientation(k), p.orientation(k), table_.body[k].reach);
+    if (way > static_cast<double>(p.list_turn[k])) stretch.move.strays += 1;
+  }
 }
 
 // Asks for what sum_forces() will read of other stretches and of tiles, all over memory.

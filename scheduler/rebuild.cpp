@@ -11,7 +11,8 @@ namespace quern {
 namespace {
 
 constexpr std::uint64_t kShortestWindow = 4, kLongestWindow = 4000;
-constexpr std::uint64_t kShortLife = 45, kLongLife = 200;  // steps
+// A rebuild costs as much time a particle as so many slots whose spheres do not touch.
+constexpr double kRebuildInSlots = 200;
 // A big ball has hundreds of small partners in other tiles: it takes several lanes.
 constexpr Index kLongestImport = 12;
 constexpr std::size_t kChunk = 4096;  // particles per task where order does not matter
@@ -48,17 +49,15 @@ void order_particles(const World<Real>& world, Graph& graph, RebuildScratch<Real
       };
       s.keys[k] = {bits(p.record[k].x, low.x()) | bits(p.record[k].y, low.y()) << 1 |
                        bits(p.record[k].z, low.z()) << 2,
-                   static_cast<Index>(k)};
+                   p.id[k], static_cast<Index>(k)};
     }
   });
-  std::sort(s.keys.begin(), s.keys.end(), [&](const auto& a, const auto& b) {
-    return a.first != b.first ? a.first < b.first : p.id[a.second] < p.id[b.second];
-  });
+  graph.sort(s.keys);
   s.old_of_new.resize(n);
   s.new_of_old.resize(n);
   for (std::size_t k = 0; k < n; ++k) {
-    s.old_of_new[k] = s.keys[k].second;
-    s.new_of_old[s.keys[k].second] = static_cast<Index>(k);
+    s.old_of_new[k] = s.keys[k].row;
+    s.new_of_old[s.keys[k].row] = static_cast<Index>(k);
   }
 }
 
@@ -350,11 +349,12 @@ void adapt_lists(Clock& clock, const ListEnd& end) {
   if (end.expired) {
     // Nobody came near the limit: four times what was needed is enough for twice the window.
     clock.slack = std::min(clock.slack, 8 * end.deviation);
-  } else if (lasted < kShortLife) {
-    clock.slack *= 1.1;
-  } else if (lasted > kLongLife) {
-    // Deviations grow with time: what was needed for a long life is too much for the life wanted.
-    clock.slack *= std::max(0.5, static_cast<double>(kLongLife) / static_cast<double>(lasted));
+  } else {
+    // Lives and idle slots both grow with the slack s: a step costs about a / s + b s, least where the
+    // two are equal.
+    const double rebuilding = kRebuildInSlots / static_cast<double>(lasted);
+    const double change = std::sqrt(rebuilding / std::max(end.idle_slots, 0.01));
+    clock.slack *= std::clamp(change, 0.8, 1.25);
   }
   clock.slack = std::clamp(clock.slack, 0.02 * end.smallest_radius, 1.0 * end.smallest_radius);
 }
@@ -385,22 +385,27 @@ void rebuild(World<Real>& world, Graph& graph, RebuildScratch<Real>& s) {
   const std::size_t tiles = world.tiles();
   s.own.resize(tiles);
   s.imported.resize(tiles);
-  if (polyhedra) s.near.resize(tiles);
+  if (polyhedra) s.bodies.near.resize(tiles);
   graph.for_each(tiles, [&](std::size_t tile, int) {
     s.own[tile].clear();
     const std::size_t first = tile * world.tile_size;
     find_candidates(in, s.grid, static_cast<Index>(first),
                     static_cast<Index>(std::min<std::size_t>(n, first + world.tile_size)),
                     s.own[tile]);
-    if (polyhedra) take_near_spheres(n, s.own[tile], s.near[tile]);
+    if (polyhedra) take_near_spheres(n, s.own[tile], s.bodies.near[tile]);
     if (!world.bodies.empty()) find_wall_candidates(world, s, tile);
   });
-  if (polyhedra) rebuild_polyhedra(world, graph, in, s.grid, s.old_of_new, s.near);
+  if (polyhedra) {
+    search_polyhedra(world, in, s.grid, s.bodies);
+    set_body_allowances(world, s.bodies.speed);
+  }
   import_pairs(world, s);
   graph.for_each(tiles, [&](std::size_t tile, int) {
-    set_allowances(world, s.points, tile,
-                   {s.own[tile], s.imported[tile], polyhedra ? &s.near[tile] : nullptr}, s.speed);
+    set_allowances(world, tile,
+                   {s.own[tile], s.imported[tile], polyhedra ? &s.bodies.near[tile] : nullptr},
+                   s.speed);
   });
+  if (polyhedra) lay_out_polyhedra(world, graph, in, s.old_of_new, s.bodies);
   s.own_plan.resize(tiles);
   s.imported_plan.resize(tiles);
   graph.for_each(tiles, [&](std::size_t tile, int) {

@@ -28,13 +28,13 @@ struct BlockPlan {
 // Working memory of a rebuild; most of it is given back at its end.
 template <class Real>
 struct RebuildScratch {
-  std::vector<std::pair<std::uint64_t, Index>> keys;
+  std::vector<CurveKey> keys;
   std::vector<Index> old_of_new, new_of_old;
   std::vector<SearchPoint> points;
   SearchGrid grid;
   std::vector<std::vector<CandidatePair>> own;       // per tile
   std::vector<std::vector<CandidatePair>> imported;  // per tile
-  std::vector<std::vector<NearSphere>> near;         // per tile, of polyhedra
+  BodyCandidates bodies;
   std::vector<BlockPlan> own_plan, imported_plan;    // per tile
   std::vector<float> speed;  // m/s, of the fastest meeting of each sphere
   Particles<Real> sorted;
@@ -49,11 +49,12 @@ void rebuild(World<Real>& world, Graph& graph, RebuildScratch<Real>& scratch);
 double wall_reach(const Body& body, const Vec3& x, const Vec3& v, double time, double span);
 
 // Chooses the next window and slack from how the last lists ended; a function of the state alone.
-// Wide lists cost every step, short-lived ones cost rebuilds: lists should last some tens of steps.
+// Wide lists cost every step, short-lived ones cost rebuilds.
 struct ListEnd {
-  bool expired = false;       // by their window; else somebody left its line
-  double deviation = 0;       // m, the largest from a straight line
-  double smallest_radius = 0; // m
+  bool expired = false;        // by their window; else somebody left its line
+  double deviation = 0;        // m, the largest from a straight line
+  double smallest_radius = 0;  // m
+  double idle_slots = 0;       // a particle: listed and not touching
 };
 void adapt_lists(Clock& clock, const ListEnd& end);
 

@@ -286,7 +286,11 @@ StepReport Stepper<Real>::step() {
   clock.first_kick = 0;
   const bool expired = clock.total_steps - clock.list_step > clock.list_window;
   if (expired || world_.totals.strays > 0) {
-    adapt_lists(clock, {expired, std::sqrt(world_.totals.max_deviation2), world_.smallest_radius});
+    const double particles = static_cast<double>(world_.particles.size() + world_.polyhedra.size());
+    const double slots =
+        static_cast<double>(world_.pairs.slots() + world_.polyhedra.spheres.sphere.size());
+    adapt_lists(clock, {expired, std::sqrt(world_.totals.max_deviation2), world_.smallest_radius,
+                        (slots - world_.totals.pair_contacts) / particles});
     clock.list_stale = 1;
   }
   times_.totals += seconds_since(start);

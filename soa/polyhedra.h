@@ -53,7 +53,13 @@
   X(double, list_z, "m", "place when the lists were built")                                 \
   X(float, list_vx, "m/s", "velocity the lists were built with")                            \
   X(float, list_vy, "m/s", "velocity the lists were built with")                            \
-  X(float, list_vz, "m/s", "velocity the lists were built with")
+  X(float, list_vz, "m/s", "velocity the lists were built with")                            \
+  X(float, list_allowance, "m", "how far it may leave its line before the lists are stale") \
+  X(double, list_qw, "1", "orientation when the lists were built")                          \
+  X(double, list_qx, "1", "orientation when the lists were built")                          \
+  X(double, list_qy, "1", "orientation when the lists were built")                          \
+  X(double, list_qz, "1", "orientation when the lists were built")                          \
+  X(float, list_turn, "m", "how far its points may turn before the lists are stale")
 
 namespace quern {
 
@@ -92,10 +98,7 @@ static_assert(sizeof(PolyhedronWall) == sizeof(WallSpring) + 64, "saved as bytes
 // sphere x y z, normal x y z and overlap of the last step, contact point from the polyhedron's place
 // x y z, and three unused (a cache line in f32).
 //
-// Most listed spheres never come near: the list goes by bounding spheres. The slots of a group that
-// can touch before the next rebuild, as long as points of the polyhedron have turned by no more than
-// `near_turn`, come first; `near` counts them. Such counts, flags and sums spare work, they change no
-// result: they are not saved, and after loading everything counts as near.
+// Sums and flags spare work, they change no result: they are not saved.
 template <class Real>
 struct PolyhedronSphereBatch {
   static constexpr std::size_t kHistory = 13, kHistoryStride = 16;
@@ -105,8 +108,6 @@ struct PolyhedronSphereBatch {
   // Not saved:
   Column<double> sums;  // kSums a group: force and torque on the polyhedron, contacts
   static constexpr std::size_t kSums = 8;
-  Column<Index> near;            // of each group
-  double near_turn = 0;          // m
   Column<std::uint8_t> has_sums;  // of each group: its sums are not all zero
   Column<std::uint8_t> open;      // a bit for each slot, see is_open()
 
@@ -119,6 +120,14 @@ struct PolyhedronSphereBatch {
     }
     return number(slot, kOverlap) > 0;
   }
+  // For so many groups and slots.
+  void reset(std::size_t groups, std::size_t slots) {
+    polyhedron.reset(groups);
+    count.reset(groups);
+    begin.reset(groups + 1);
+    sphere.reset(slots);
+    numbers.reset(slots * kHistoryStride);
+  }
   // After the groups and their history have been set.
   void set_unsaved() {
     const std::size_t groups = polyhedron.size();
@@ -126,9 +135,6 @@ struct PolyhedronSphereBatch {
     sums.fill(0);
     has_sums.reset(groups);
     has_sums.fill(0);
-    near_turn = 0;
-    near.reset(groups);
-    std::copy(count.begin(), count.end(), near.begin());
     open.reset(sphere.size() / kShapePad);
     open.fill(0);
     for (std::size_t slot = 0; slot < sphere.size(); ++slot) {
@@ -166,6 +172,9 @@ struct Polyhedra {
   Vec3 spin(std::size_t k) const { return {wx[k], wy[k], wz[k]}; }
   Vec3 momentum(std::size_t k) const { return {lx[k], ly[k], lz[k]}; }
   Quat orientation(std::size_t k) const { return Quat(qw[k], qx[k], qy[k], qz[k]); }
+  Quat list_orientation(std::size_t k) const {
+    return Quat(list_qw[k], list_qx[k], list_qy[k], list_qz[k]);
+  }
   Vec3 inverse_inertia(std::size_t k) const { return {inverse_ix[k], inverse_iy[k], inverse_iz[k]}; }
 
   void visit(StateVisitor& v) {
