@@ -250,9 +250,12 @@ StepReport Stepper<Real>::judge() const {
   StepReport report;
   const StepTotals& t = world_.totals;
   report.max_overlap = t.max_overlap;
-  report.warnings = static_cast<std::uint64_t>(t.warnings);
-  if (t.warnings > 0) report.bits |= kOverlapWarning;
-  if (t.max_overlap > 1) report.bits |= kDeepOverlap;
+  // Where shapes were exchanged, bodies stand deep in others until they are relaxed.
+  if (world_.overlap_cap == 0) {
+    report.warnings = static_cast<std::uint64_t>(t.warnings);
+    if (t.warnings > 0) report.bits |= kOverlapWarning;
+    if (t.max_overlap > 1) report.bits |= kDeepOverlap;
+  }
   if (t.bad > 0) report.bits |= kOutside;
   if (!std::isfinite(t.translational) || !std::isfinite(t.rotational)) report.bits |= kNotFinite;
   if ((report.bits & kFatalBits) != 0) report.first = find_offender(world_, report.bits);

@@ -216,10 +216,8 @@ class Run {
         figures_.step_seconds += now() - before;
         ++figures_.run_steps;
       }
-      // Where shapes were exchanged, bodies stand deep in others until they are relaxed.
-      const bool relaxes = phase.kind == Phase::kRelax;
-      if (!relaxes) figures_.warnings += static_cast<double>(report.warnings);
-      if ((report.bits & (relaxes ? kFatalBits & ~kDeepOverlap : kFatalBits)) != 0) {
+      figures_.warnings += static_cast<double>(report.warnings);
+      if ((report.bits & kFatalBits) != 0) {
         fail(report, phase);
         return false;
       }
