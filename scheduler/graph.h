@@ -35,7 +35,7 @@ class Graph {
   // Runs task(k, worker) for k = 0 ... count-1; worker is below threads() and belongs to one thread
   // at a time. Returns when all are done; the first exception of a task is rethrown.
   void for_each(std::size_t count, const std::function<void(std::size_t, int)>& task);
-  void sort(std::vector<CurveKey>& keys);
+  void sort(std::vector<CurveKey>& keys);  // ascending
 
  private:
   struct Arena;

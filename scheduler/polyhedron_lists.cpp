@@ -90,6 +90,13 @@ Index padded(std::size_t n) {
   return static_cast<Index>((n + kShapePad - 1) / kShapePad * kShapePad);
 }
 
+// Where the group that begins at `first` ends: the spheres of one polyhedron.
+std::size_t group_end(const std::vector<NearSphere>& near, std::size_t first) {
+  std::size_t end = first;
+  while (end < near.size() && near[end].polyhedron == near[first].polyhedron) ++end;
+  return end;
+}
+
 // Sorts a tile's spheres by polyhedron and drops those that stay apart and have no history.
 template <class Real>
 void choose_near(const World<Real>& world, const SearchInput& in, const OldSlots& old,
@@ -113,8 +120,7 @@ void fill_groups(const std::vector<NearSphere>& near, const PolyhedronSphereBatc
                  const OldSlots& old, const std::vector<Index>& old_of_new, Index group, Index slot,
                  PolyhedronSphereBatch<Real>& now) {
   for (std::size_t first = 0; first < near.size(); ++group) {
-    std::size_t end = first;
-    while (end < near.size() && near[end].polyhedron == near[first].polyhedron) ++end;
+    const std::size_t end = group_end(near, first);
     const Index body = near[first].polyhedron, count = static_cast<Index>(end - first);
     now.polyhedron[group] = body;
     now.count[group] = count;
@@ -142,15 +148,10 @@ void lay_out_spheres(World<Real>& world, Graph& graph, const SearchInput& in,
   std::vector<Index> slot_begin(tiles + 1, 0), group_begin(tiles + 1, 0);
   graph.for_each(tiles, [&](std::size_t tile, int) {
     choose_near(world, in, old, old_of_new, near[tile]);
-    for (std::size_t first = 0; first < near[tile].size();) {
-      std::size_t end = first;
-      while (end < near[tile].size() &&
-             near[tile][end].polyhedron == near[tile][first].polyhedron) {
-        ++end;
-      }
+    for (std::size_t first = 0, end; first < near[tile].size(); first = end) {
+      end = group_end(near[tile], first);
       slot_begin[tile + 1] += padded(end - first);
       ++group_begin[tile + 1];
-      first = end;
     }
   });
   for (std::size_t tile = 0; tile < tiles; ++tile) {

@@ -1,8 +1,8 @@
 // Rebuild: when the lists are stale, sort particles along a space-filling curve, cut tiles, search
 // candidates, carry the history of every contact over. Nothing of the physics changes by it.
 //
-//   wrap -> curve order -> permute columns -> grid -> own pairs per tile -> import pairs of other
-//   tiles -> allowances -> fill slots with springs from the old slots -> candidates for walls
+//   wrap -> curve order -> permute columns -> grid -> own pairs and candidates for walls per tile ->
+//   import pairs of other tiles -> allowances -> fill slots with springs from the old slots
 #pragma once
 
 #include <vector>

@@ -70,6 +70,7 @@ struct LawChange {
   double stiffness = 1;  // factor on all stiffnesses
   bool damped = false;   // tangential damping even if the scene has none
 };
+// Fills the tables of the law, changed so.
 template <class Real>
 void set_law(World<Real>& world, const Scene& scene, const LawChange& change);
 

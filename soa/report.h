@@ -12,9 +12,9 @@ namespace quern {
 
 enum StepBit : std::uint32_t {
   kNotFinite = 1u << 0,     // NaN or infinity in position or velocity
-  kDeepOverlap = 1u << 1,   // overlap above the particle's radius
+  kDeepOverlap = 1u << 1,   // overlap above the particle's radius; not while overlaps are capped
   kOutside = 1u << 2,       // centre outside the domain
-  kOverlapWarning = 1u << 3,  // overlap above half the radius: counted, does not stop
+  kOverlapWarning = 1u << 3,  // above half the radius: counted, does not stop; likewise
 };
 inline constexpr std::uint32_t kFatalBits = kNotFinite | kDeepOverlap | kOutside;
 

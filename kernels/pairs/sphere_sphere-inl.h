@@ -229,10 +229,10 @@ HWY_INLINE void prefetch_row(const ParticleView<Real>& p, const Index* partner, 
   for (std::size_t k = 0; k < width; k += kPairPad) hwy::Prefetch(numbers + k);
 }
 
-// The owners of the next block, and as many particles of the next tile, which are its partners.
+// The owners of the next block, and with each own block as many particles of the next tile.
 template <class Real>
 HWY_INLINE void prefetch_next_block(const ParticleView<Real>& p, const PairView<Real>& pairs,
-                               std::size_t block, const TileRows& tile) {
+                                    std::size_t block, const TileRows& tile) {
   if (block + 1 < pairs.all) {
     const Index* owner = pairs.owner + (block + 1) * kPairPad;
     for (std::size_t k = 0; k < kPairPad; ++k) {
@@ -240,6 +240,7 @@ HWY_INLINE void prefetch_next_block(const ParticleView<Real>& p, const PairView<
       hwy::Prefetch(p.traits + owner[k]);
     }
   }
+  if (block >= pairs.own) return;
   const std::size_t next = tile.first + tile.size + block * kPairPad;
   constexpr std::size_t kTraitsInLine = 64 / sizeof(Traits<Real>);
   for (std::size_t k = 0; k < kPairPad; ++k) hwy::Prefetch(p.record + next + k);
