@@ -304,8 +304,9 @@ void PolyhedronContacts<Real>::collect_wall(World<Real>& world, const BodyNow& b
 }
 
 template <class Real>
-void PolyhedronContacts<Real>::collect_walls(World<Real>& world, BodyTable& table, std::size_t body,
-                                             std::span<const PolyhedronWall> old) {
+void PolyhedronContacts<Real>::collect_walls_of(World<Real>& world, BodyTable& table,
+                                                std::size_t body,
+                                                std::span<const PolyhedronWall> old) {
   const Polyhedra<Real>& p = world.polyhedra;
   if (old.empty() && p.wall_candidate_begin[body] == p.wall_candidate_begin[body + 1]) return;
   for (Index b = 0; b < world.bodies.size(); ++b) {
@@ -324,8 +325,8 @@ void PolyhedronContacts<Real>::collect_walls(World<Real>& world, BodyTable& tabl
 }
 
 template <class Real>
-void PolyhedronContacts<Real>::collect(World<Real>& world, BodyTable& table, std::size_t first,
-                                       std::size_t last) {
+void PolyhedronContacts<Real>::collect_pairs(World<Real>& world, BodyTable& table,
+                                             std::size_t first, std::size_t last) {
   count_ = 0;
   lanes_.clear();
   Polyhedra<Real>& p = world.polyhedra;
@@ -334,12 +335,20 @@ void PolyhedronContacts<Real>::collect(World<Real>& world, BodyTable& table, std
   for (; pair != p.pairs.end() && pair->j < last; ++pair) {
     collect_pair(world, table, static_cast<std::size_t>(pair - p.pairs.begin()));
   }
+}
+
+template <class Real>
+void PolyhedronContacts<Real>::collect_walls(World<Real>& world, BodyTable& table,
+                                             std::size_t first, std::size_t last) {
+  count_ = 0;
+  lanes_.clear();
+  Polyhedra<Real>& p = world.polyhedra;
   auto wall = std::lower_bound(p.walls.begin(), p.walls.end(), first,
                                [](const PolyhedronWall& w, std::size_t k) { return w.particle < k; });
   for (std::size_t body = first; body < last; ++body) {
     const auto begin = wall;
     while (wall != p.walls.end() && wall->particle == body) ++wall;
-    collect_walls(world, table, body, {begin, wall});
+    collect_walls_of(world, table, body, {begin, wall});
   }
 }
 

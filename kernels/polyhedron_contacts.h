@@ -89,10 +89,11 @@ Vec3 separation(const World<Real>& world, const Vec3& dx);
 template <class Real>
 class PolyhedronContacts {
  public:
-  // Pairs whose lower body is in [first, last), and walls of these bodies. `walls` receives their new
-  // open contacts, by body.
-  void collect(World<Real>& world, BodyTable& table, std::size_t first, std::size_t last);
+  // Pairs whose lower body is in [first, last), or walls of these bodies.
+  void collect_pairs(World<Real>& world, BodyTable& table, std::size_t first, std::size_t last);
+  void collect_walls(World<Real>& world, BodyTable& table, std::size_t first, std::size_t last);
   BodyContacts view();
+  // `walls` receives the open contacts with walls, by body.
   void finish(World<Real>& world, const StepConstants<double>& step,
               std::vector<PolyhedronWall>& walls, std::span<WallTotal> totals,
               PolyhedronTally& tally);
@@ -122,8 +123,8 @@ class PolyhedronContacts {
     std::span<const PolyhedronWall> old;
   };
   void collect_pair(World<Real>& world, BodyTable& table, std::size_t row);
-  void collect_walls(World<Real>& world, BodyTable& table, std::size_t body,
-                     std::span<const PolyhedronWall> old);
+  void collect_walls_of(World<Real>& world, BodyTable& table, std::size_t body,
+                        std::span<const PolyhedronWall> old);
   void collect_wall(World<Real>& world, const BodyNow& body, const WallInput& in);
   void add_wall_lane(World<Real>& world, const BodyNow& body, const WallInput& in,
                      const PolyhedronWall* was, const WallPatch* now);

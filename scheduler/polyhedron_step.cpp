@@ -76,13 +76,22 @@ void BodyStepper<Real>::index_lists() {
 }
 
 template <class Real>
-void BodyStepper<Real>::run_stretch(std::size_t stretch, int worker) {
+void BodyStepper<Real>::run_stretch(std::size_t stretch, int worker, BusyTimes& times) {
   PolyhedronContacts<Real>& contacts = workers_[static_cast<std::size_t>(worker)].contacts;
   const std::size_t first = stretch * kStretch;
-  contacts.collect(world_, table_, first, std::min(first + kStretch, world_.polyhedra.size()));
-  kernels_.push_bodies(constants_, contacts.view());
+  const std::size_t last = std::min(first + kStretch, world_.polyhedra.size());
   Stretch& s = stretches_[stretch];
-  contacts.finish(world_, constants_, s.walls, s.totals, s.tally);
+  const auto push = [&] {
+    kernels_.push_bodies(constants_, contacts.view());
+    contacts.finish(world_, constants_, s.walls, s.totals, s.tally);
+  };
+  Stopwatch watch;
+  contacts.collect_pairs(world_, table_, first, last);
+  push();
+  times.add(Stage::kPolyhedronPairs, watch);
+  contacts.collect_walls(world_, table_, first, last);
+  push();
+  times.add(Stage::kPolyhedronWalls, watch);
 }
 
 template <class Real>

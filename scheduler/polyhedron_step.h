@@ -14,6 +14,7 @@
 #include "kernels/near_lanes.h"
 #include "kernels/pairs/polyhedron_sphere.h"
 #include "kernels/polyhedron_contacts.h"
+#include "scheduler/stage_times.h"
 
 namespace quern {
 
@@ -31,7 +32,7 @@ class BodyStepper {
   void place_stretch(std::size_t stretch);
 
   // Contacts among bodies and with walls.
-  void run_stretch(std::size_t stretch, int worker);
+  void run_stretch(std::size_t stretch, int worker, BusyTimes& times);
   // Spheres of a tile against bodies.
   void run_tile(std::size_t tile, int worker, const TileRows& rows, ContactTally& tally);
   // Before the bodies move: wall contacts of all stretches in order, who has which groups and pairs.

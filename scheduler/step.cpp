@@ -1,20 +1,14 @@
 #include "scheduler/step.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "scheduler/totals.h"
 
 namespace quern {
 
 namespace {
-
-using Clock_ = std::chrono::steady_clock;
-
-double seconds_since(Clock_::time_point start) {
-  return std::chrono::duration<double>(Clock_::now() - start).count();
-}
 
 template <class Real, class Columns>
 LawTable<Real> table_of(const Columns& law, Index materials) {
@@ -96,8 +90,10 @@ void Stepper<Real>::run_tile(std::size_t tile, int worker) {
   std::fill_n(w.rows.data(), (size + 16) * kRowWidth, 0.0);
   TileTotals& totals = tile_totals_[tile];
   totals = TileTotals();
+  Stopwatch watch;
 
   run_walls(tile, w, rows);
+  w.times.add(Stage::kSphereWalls, watch);
 
   PairBatch<Real>& pairs = world_.pairs;
   const std::size_t begin = pairs.begin[tile];
@@ -108,10 +104,12 @@ void Stepper<Real>::run_tile(std::size_t tile, int worker) {
                                pairs.own_end[tile] - begin,
                                pairs.begin[tile + 1] - begin};
   kernels_.pairs(constants_, {p.record.data(), p.traits.data()}, view, rows, totals.pairs);
+  w.times.add(Stage::kSpherePairs, watch);
   if (bodies_) {
     const double spheres = totals.pairs.contacts;
     bodies_->run_tile(tile, worker, rows, totals.pairs);
     totals.near_bodies = totals.pairs.contacts - spheres;
+    w.times.add(Stage::kPolyhedronSpheres, watch);
   }
 
   MoveView<Real> m{};
@@ -137,6 +135,7 @@ void Stepper<Real>::run_tile(std::size_t tile, int worker) {
   m.drag = world_.drag;
   m.kick = clock.first_kick != 0 ? 0.5 * clock.dt : clock.dt;
   kernels_.move(m, rows, clock.dt, totals.move);
+  w.times.add(Stage::kMotion, watch);
 }
 
 // Stretches of bodies are dear and come first; bodies move when all forces on them are known.
@@ -145,17 +144,38 @@ void Stepper<Real>::run_tasks(bool rebuilt) {
   if (!bodies_ && !world_.polyhedra.empty()) bodies_.emplace(world_, kernels_, graph_.threads());
   if (bodies_) bodies_->prepare(wall_constants_, rebuilt);
   const std::size_t stretches = bodies_ ? bodies_->stretches() : 0;
-  if (bodies_) graph_.for_each(stretches, [&](std::size_t k, int) { bodies_->place_stretch(k); });
+  const auto busy = [&](int w) -> BusyTimes& { return workers_[static_cast<std::size_t>(w)].times; };
+  if (bodies_) {
+    graph_.for_each(stretches, [&](std::size_t k, int worker) {
+      Stopwatch watch;
+      bodies_->place_stretch(k);
+      busy(worker).add(Stage::kMotion, watch);
+    });
+  }
   graph_.for_each(stretches + world_.tiles(), [&](std::size_t task, int worker) {
     if (task < stretches) {
-      bodies_->run_stretch(task, worker);
+      bodies_->run_stretch(task, worker, busy(worker));
     } else {
       run_tile(task - stretches, worker);
     }
   });
   if (!bodies_) return;
   bodies_->gather();
-  graph_.for_each(stretches, [&](std::size_t k, int) { bodies_->move_stretch(k); });
+  graph_.for_each(stretches, [&](std::size_t k, int worker) {
+    Stopwatch watch;
+    bodies_->move_stretch(k);
+    busy(worker).add(Stage::kMotion, watch);
+  });
+}
+
+template <class Real>
+StageTimes Stepper<Real>::take_times() {
+  StageTimes taken = std::exchange(times_, StageTimes());
+  for (Worker& w : workers_) {
+    const BusyTimes mine = std::exchange(w.times, BusyTimes());
+    for (std::size_t k = 0; k < mine.busy.size(); ++k) taken.busy[k] += mine.busy[k];
+  }
+  return taken;
 }
 
 template <class Real>
@@ -266,18 +286,17 @@ template <class Real>
 StepReport Stepper<Real>::step() {
   prepare();
   Clock& clock = world_.clock;
-  auto start = Clock_::now();
+  Stopwatch watch;
   const bool rebuilds = clock.list_stale != 0;
   if (rebuilds) {
     move_walls();
     rebuild(world_, graph_, rebuild_);
-    times_.rebuild += seconds_since(start);
-    start = Clock_::now();
+    times_.rebuild += watch.lap();
+    ++times_.rebuilds;
   }
   move_walls();
   run_tasks(rebuilds);
-  times_.tiles += seconds_since(start);
-  start = Clock_::now();
+  times_.tasks += watch.lap();
   std::swap(world_.particles.record, world_.particles.record_next);
   std::swap(world_.particles.traits, world_.particles.traits_next);
   add_tiles();
@@ -296,7 +315,7 @@ StepReport Stepper<Real>::step() {
                         (slots - world_.totals.pair_contacts) / particles});
     clock.list_stale = 1;
   }
-  times_.totals += seconds_since(start);
+  times_.totals += watch.lap();
   return report;
 }
 

@@ -15,14 +15,10 @@
 #include "scheduler/graph.h"
 #include "scheduler/polyhedron_step.h"
 #include "scheduler/rebuild.h"
+#include "scheduler/stage_times.h"
 #include "soa/world.h"
 
 namespace quern {
-
-// Seconds of wall clock since the stepper was made.
-struct StageTimes {
-  double rebuild = 0, tiles = 0, totals = 0;
-};
 
 template <class Real>
 class Stepper {
@@ -32,13 +28,15 @@ class Stepper {
   StepReport step();
 
   Graph& graph() { return graph_; }
-  const StageTimes& times() const { return times_; }
+  // Since the stepper was made or this was last called.
+  StageTimes take_times();
   const char* target() const { return kernels_.target; }
 
  private:
   struct Worker {
     Column<double> rows;
     WallLanes lanes;
+    BusyTimes times;
   };
   struct TileTotals {
     ContactTally pairs, walls;

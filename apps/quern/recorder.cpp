@@ -169,6 +169,11 @@ void Recorder::write_summary(World<Real>& world, const RunFigures& figures) {
   s.set("particle_steps_per_s", figures.step_seconds > 0 ? n * static_cast<double>(figures.run_steps) /
                                                                figures.step_seconds
                                                          : 0.0);
+  s.set("rebuild_s", figures.times.rebuild);
+  for (std::size_t k = 0; k < kStageNames.size(); ++k) {
+    const double busy = figures.times.busy[k];
+    if (busy > 0) s.set(fmt::format("{}_busy_s", kStageNames[k]), busy);
+  }
   s.set("recorded_from_s", record_from_);
   s.set("recorded_samples", time.size() - std::min(first, time.size()));
   recorded_power_ = recorded("power").mean;

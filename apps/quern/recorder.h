@@ -10,6 +10,7 @@
 #include "io/series.h"
 #include "io/summary.h"
 #include "kernels/tally.h"
+#include "scheduler/stage_times.h"
 #include "soa/world.h"
 
 namespace quern {
@@ -18,6 +19,7 @@ struct RunFigures {  // of the program, not of the charge
   double wall_seconds = 0;       // all of this process
   double step_seconds = 0;       // inside steps of the run phase
   std::uint64_t run_steps = 0;   // of the run phase, by this process
+  StageTimes times;              // of the run phase
   double warnings = 0;           // contacts deeper than half a radius, summed over steps
   int threads = 1;
   std::string simd_target;

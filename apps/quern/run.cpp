@@ -202,6 +202,7 @@ class Run {
 
   bool run_phase(const PhasePlan& phase) {
     const bool run = phase.kind == Phase::kRun;
+    if (run) stepper_->take_times();  // those of settling are not asked for
     const double phase_started = now();
     const std::uint64_t first_step = world_.clock.step;
     while (!phase_is_over(world_, phase)) {
@@ -297,8 +298,25 @@ class Run {
         static_cast<double>(world_.clock.step) * phase.dt, world_.clock.step, options_.out));
   }
 
+  // Of the run phase: seconds of the clock, and what the threads did in the tasks.
+  static std::string stages_line(const StageTimes& t) {
+    double busy = 0;
+    for (const double b : t.busy) busy += b;
+    std::string parts;
+    for (std::size_t k = 0; k < t.busy.size(); ++k) {
+      if (!(t.busy[k] > 0)) continue;
+      std::string name = kStageNames[k];
+      std::replace(name.begin(), name.end(), '_', ' ');
+      parts += fmt::format("{}{} {:.0f} %", parts.empty() ? " (" : ", ", name, 100 * t.busy[k] / busy);
+    }
+    if (!parts.empty()) parts += ")";
+    return fmt::format("rebuild {:.1f} s ({} times), tasks {:.1f} s{}, totals {:.1f} s", t.rebuild,
+                       t.rebuilds, t.tasks, parts, t.totals);
+  }
+
   int finish(bool fine) {
     figures_.wall_seconds = now() - started_;
+    figures_.times = stepper_->take_times();
     figures_.threads = stepper_->graph().threads();
     figures_.simd_target = stepper_->target();
     figures_.finished = fine && g_signal == 0 && !stopped_;
@@ -334,9 +352,7 @@ class Run {
                                static_cast<double>(figures_.run_steps) / figures_.step_seconds,
                            figures_.threads, figures_.simd_target));
     }
-    const StageTimes& t = stepper_->times();
-    log_info(fmt::format("stages       rebuild {:.1f} s ({} times), tiles {:.1f} s, totals {:.1f} s",
-                         t.rebuild, world_.clock.rebuilds, t.tiles, t.totals));
+    log_info("stages       " + stages_line(figures_.times));
     log_info(fmt::format("results      {}", fs::absolute(options_.out).lexically_normal().string()));
     return 0;
   }
