@@ -16,9 +16,6 @@ constexpr double kSoftDrag = 12, kRainDrag = 4;
 constexpr double kStiffenTime = 0.12;   // s; a deep bed rises by centimetres while it stiffens
 constexpr int kStiffenStages = 48;      // so many that a stage releases a tenth of the overlap
 constexpr double kStiffenDrag = 60;     // 1/s: the bed swings, and falls together again, slowly
-// s: a deep bed has sunk back by then; what is left creeps, and is not to be held up by a drag.
-constexpr double kCalmHeld = 0.15, kCalmFade = 0.1;
-constexpr int kCalmStages = 16;
 constexpr double kRelaxTrueLawTime = 0.05;  // s, the end of every relaxing
 constexpr double kRelaxDrag = 20;           // 1/s
 constexpr double kFirstCap = 1e-4, kLastCap = 1e-2;  // of the smallest polyhedron's radius
@@ -65,12 +62,7 @@ void add_settling(const Scene& scene, double dt, double depth, double rest_energ
       plan.push_back({Phase::kStiffen, stiffness, stage_dt, kStiffenDrag,
                       steps_in(kStiffenTime / kStiffenStages, stage_dt), 0});
     }
-    const double calm = run.calm_time / kCalmStages;
-    for (int stage = 0; stage < kCalmStages; ++stage) {
-      const double fading = std::max(0.0, (stage + 0.5) * calm - kCalmHeld);
-      const double drag = kStiffenDrag * std::exp(-fading / kCalmFade);
-      plan.push_back({Phase::kStiffen, 1, dt, drag, steps_in(calm, dt), 0});
-    }
+    plan.push_back({Phase::kStiffen, 1, dt, kStiffenDrag, steps_in(run.calm_time, dt), 0});
     plan.push_back({Phase::kSettle, 1, dt, 0, steps_in(kTrueLawTime, dt), 0});
   } else {
     plan.push_back({Phase::kSettle, 1, dt, 0, steps_in(total, dt), until_rest ? rest_energy : 0});

@@ -3,7 +3,7 @@
 //   soft      stiffness * soft_stiffness, a longer step, a drag; until it rests
 //   stiffen   stiffness back to the scene's in many small stages, slower than sound crosses the bed,
 //             so that the overlaps of the soft phase are given back without a jump of the charge; then
-//             the calm (`run.calm`): full stiffness under the same drag, which fades in a long one
+//             the calm (`run.calm`): full stiffness under the same drag
 //   relax     after an exchange of shapes (scheduler/exchange): contacts of polyhedra push as if no
 //             deeper than a cap, under drag. A contact comes apart no faster than cap sqrt(k / m) over
 //             twice its damping ratio, where spring and dashpot cancel, however deep it was; so the
