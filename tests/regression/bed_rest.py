@@ -40,7 +40,7 @@ def main():
     stand, own = given.pop("stand", "1"), given.pop("own", "0.5")
     common = ["output.series_every=5 ms", *(f"{key}={value}" for key, value in given.items())]
     plan = {
-        "settle": ["run.duration=1 ms"],
+        "settle": ["run.duration=10 ms"],
         "stand": ["contact.tangential_damping=true", f"run.duration={stand} s"],
         "own": ["run.relax=0.25 s", f"run.duration={own} s"],
     }
