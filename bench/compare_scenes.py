@@ -8,7 +8,8 @@ Settles FIRST, turns it for TURN seconds; SECOND likewise, from its own filling 
 from FIRST's settled state with its shapes exchanged and relaxed. Then both go on from there for STEPS
 steps, REPEATS times in turns. Prints the ratio of their times with its range, the touching pairs of
 each kind, and what a touching pair costs (all that is done for its kind, pairs that do not touch
-included, over the pairs that touch). What is settled and turned in WORK is used again.
+included, over the pairs that touch). What is settled and turned in WORK is used again, what was
+stopped goes on.
 """
 import argparse
 import json
@@ -47,11 +48,12 @@ def turned(options, scene, folder, start=()):
                 f"output.series_every={last / 10}", *start]
     done = os.path.join(folder, "turned")
     if not os.path.isfile(done):
-        shutil.rmtree(folder, ignore_errors=True)
-        command = [options.program, "run", scene, "--out", folder, "--threads", str(os.cpu_count()),
-                   "--until", str(options.turn)]
+        command = [options.program, "run", scene, "--out", folder]
         for setting in settings:
             command += ["--set", setting]
+        if os.path.isfile(os.path.join(folder, "checkpoint.h5")):
+            command = [options.program, "resume", folder]
+        command += ["--threads", str(os.cpu_count()), "--until", str(options.turn)]
         print(f"# {os.path.basename(scene)}: getting ready ...", flush=True)
         call(*command)
         with open(done, "w", encoding="utf-8") as file:

@@ -15,7 +15,8 @@ import numpy as np
 
 import runs
 
-LIMIT = 1e-13  # J
+LIMIT = 1e-13    # J
+FRICTION = 0.3   # while it stands
 
 
 def energies(folder, density):
@@ -37,11 +38,12 @@ def density_of(scene):
 def main():
     quern, scene, out = sys.argv[1:4]
     given = dict(text.split("=", 1) for text in sys.argv[4:])
-    stand, own = given.pop("stand", "1"), given.pop("own", "0.5")
+    stand, own = given.pop("stand", "0.6"), given.pop("own", "0.35")
     common = ["output.series_every=5 ms", *(f"{key}={value}" for key, value in given.items())]
     plan = {
         "settle": ["run.duration=10 ms"],
-        "stand": ["contact.tangential_damping=true", f"run.duration={stand} s"],
+        "stand": ["contact.tangential_damping=true", f"contact.sliding_friction={FRICTION}",
+                  f"run.duration={stand} s"],
         "own": ["run.relax=0.25 s", f"run.duration={own} s"],
     }
     before, median = None, np.inf
