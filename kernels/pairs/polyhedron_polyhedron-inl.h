@@ -274,7 +274,8 @@ HWY_INLINE double gap_along(const ShapePose& a, const ShapePose& b, const Vec3& 
   return u.dot(b.place - a.place) - low - high;
 }
 
-constexpr double kRoundDown = 1 - 1.3e-7;  // a gap in f32 stays below the one in f64
+// A gap in f32 stays below the one in f64, along an axis whose length f32 has rounded by 6e-8 too.
+constexpr double kRoundDown = 1 - 1.3e-7;
 
 HWY_INLINE void keep_axis(const Vec3& u, double gap, std::uint32_t flags, PairAxis& axis) {
   for (int k = 0; k < 3; ++k) axis.axis[k] = static_cast<float>(u[k]);
@@ -332,13 +333,13 @@ HWY_INLINE bool touch_pair(const ShapePose& a, const ShapePose& b, const PatchOp
   Vec3 u(axis.axis[0], axis.axis[1], axis.axis[2]);
   const double length2 = u.squaredNorm();
   if (length2 > 0.25) {
-    u *= 1 / std::sqrt(length2);
     const double gap = gap_along(a, b, u);
     if (gap > 0) {
       axis.gap = static_cast<float>(gap * kRoundDown);
       axis.flags = 0;
       return false;
     }
+    u *= 1 / std::sqrt(length2);
   } else {
     u = b.place - a.place;
     const double distance = u.norm();
