@@ -2,8 +2,9 @@
 """How much a packing at rest still moves: bed_rest.py QUERN SCENE OUT [KEY=VALUE ...]
 
 Three runs, each from the end of the one before: the scene settles; it stands STAND seconds with
-tangential damping, whatever the scene says, and no drag; what still swings is taken by a drag for
-0.2 s, and then it stands OWN seconds under its own law. Prints the median, mean and largest kinetic
+tangential damping, whatever the scene says, no drag, and a friction of 0.3, so that under a higher
+one of its own hardly a contact is near sliding; what still swings is taken by a drag for 0.2 s, and
+then it stands OWN seconds under its own law. Prints the median, mean and largest kinetic
 energy of a particle, turning included, after each, and fails if the last median is above 1e-13 J.
 `stand` and `own` (s) may be given among the settings; a run that is finished is not repeated.
 """
@@ -15,8 +16,8 @@ import numpy as np
 
 import runs
 
-LIMIT = 1e-13    # J
-FRICTION = 0.3   # while it stands
+LIMIT = 1e-13   # J
+FRICTION = 0.3  # while it stands
 
 
 def energies(folder, density):
