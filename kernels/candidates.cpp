@@ -1,5 +1,7 @@
-// Search over the grid: lanes are the entries of a run of cells, f32 with a safety margin; what
-// survives is tested in f64 against the predicted gap.
+// Search over the grid. Cells hold about one entry each, so a particle's own surroundings would
+// fill few lanes: the surroundings of a few neighbours of one size level are fetched once, and
+// lanes are their entries, f32 with a safety margin. What survives is tested in f64 against the
+// predicted gap.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/candidates.cpp"
 #include <hwy/foreach_target.h>
@@ -8,7 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <iterator>
+#include <span>
 
 #include "kernels/candidates.h"
 
@@ -17,37 +20,72 @@ namespace quern {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Entries of a block of cells no smaller than `radius` and nearer than reach + their own reach, as
-// positions in the level. `found` has room for all entries of the level and a vector more.
-std::size_t near_entries(const GridLevel& level, const CellBlock& block, const float* centre,
-                         float radius, float reach, std::int32_t* found) {
+// Those entries of a block of cells that come nearer to a box than reach + their own reach. `near`
+// has room for all of the block and a vector more.
+void collect_block(const GridLevel& level, const CellBlock& block, const MiddleBox& box,
+                   float reach, NearEntries& near) {
   const hn::ScalableTag<float> d;
-  const hn::RebindToSigned<decltype(d)> di;
+  const hn::RebindToUnsigned<decltype(d)> du;
   const std::size_t lanes = hn::Lanes(d);
-  const auto cx = hn::Set(d, centre[0]), cy = hn::Set(d, centre[1]), cz = hn::Set(d, centre[2]);
-  const auto r = hn::Set(d, reach), smallest = hn::Set(d, radius);
-  const auto iota = hn::Iota(di, 0);
-  std::size_t n = 0;
+  const auto zero = hn::Zero(d), r = hn::Set(d, reach);
+  const auto beyond = [&](auto x, std::size_t a) {
+    const auto low = hn::Sub(hn::Set(d, box.low[a]), x);
+    return hn::Max(hn::Max(low, hn::Sub(x, hn::Set(d, box.high[a]))), zero);
+  };
+  near.count = 0;
   for (int z = block.low[2]; z <= block.high[2]; ++z) {
     for (int y = block.low[1]; y <= block.high[1]; ++y) {
       const std::size_t row = level.row(y, z);
       const std::size_t end = level.begin[row + static_cast<std::size_t>(block.high[0]) + 1];
       for (std::size_t at = level.begin[row + static_cast<std::size_t>(block.low[0])]; at < end;
            at += lanes) {
-        const auto dx = hn::Sub(hn::LoadU(d, level.x.data() + at), cx);
-        const auto dy = hn::Sub(hn::LoadU(d, level.y.data() + at), cy);
-        const auto dz = hn::Sub(hn::LoadU(d, level.z.data() + at), cz);
-        const auto sum = hn::Add(hn::LoadU(d, level.reach_of.data() + at), r);
+        const auto ex = hn::LoadU(d, level.x.data() + at), ey = hn::LoadU(d, level.y.data() + at),
+                   ez = hn::LoadU(d, level.z.data() + at);
+        const auto own = hn::LoadU(d, level.reach_of.data() + at), sum = hn::Add(own, r);
+        const auto dx = beyond(ex, 0), dy = beyond(ey, 1), dz = beyond(ez, 2);
         const auto d2 = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz)));
-        const auto larger = hn::Ge(hn::LoadU(d, level.radius.data() + at), smallest);
-        const auto near = hn::And(hn::And(hn::FirstN(d, end - at), larger),
-                                  hn::Lt(d2, hn::Mul(sum, sum)));
+        const auto close = hn::And(hn::FirstN(d, end - at), hn::Lt(d2, hn::Mul(sum, sum)));
         // Packed in a register: packing on the way to memory is slow on some processors.
-        const auto index = hn::Add(iota, hn::Set(di, static_cast<std::int32_t>(at)));
-        hn::StoreU(hn::Compress(index, hn::RebindMask(di, near)), di, found + n);
-        n += hn::CountTrue(d, near);
+        const auto put = [&](auto v, std::vector<float>& to) {
+          hn::StoreU(hn::Compress(v, close), d, to.data() + near.count);
+        };
+        put(ex, near.x);
+        put(ey, near.y);
+        put(ez, near.z);
+        put(own, near.reach);
+        put(hn::LoadU(d, level.radius.data() + at), near.radius);
+        hn::StoreU(
+            hn::Compress(hn::LoadU(du, level.particle.data() + at), hn::RebindMask(du, close)), du,
+            near.particle.data() + near.count);
+        near.count += hn::CountTrue(d, close);
       }
     }
+  }
+}
+
+// The particles among the entries that are no smaller than `radius` and nearer than reach + their
+// own reach. `found` has room for all entries and a vector more.
+std::size_t choose_near(const NearEntries& near, const float* centre, float radius, float reach,
+                        Index* found) {
+  const hn::ScalableTag<float> d;
+  const hn::RebindToUnsigned<decltype(d)> du;
+  const std::size_t lanes = hn::Lanes(d);
+  const auto cx = hn::Set(d, centre[0]), cy = hn::Set(d, centre[1]), cz = hn::Set(d, centre[2]);
+  const auto r = hn::Set(d, reach), smallest = hn::Set(d, radius);
+  std::size_t n = 0;
+  for (std::size_t at = 0; at < near.count; at += lanes) {
+    const auto dx = hn::Sub(hn::LoadU(d, near.x.data() + at), cx);
+    const auto dy = hn::Sub(hn::LoadU(d, near.y.data() + at), cy);
+    const auto dz = hn::Sub(hn::LoadU(d, near.z.data() + at), cz);
+    const auto sum = hn::Add(hn::LoadU(d, near.reach.data() + at), r);
+    const auto d2 = hn::MulAdd(dx, dx, hn::MulAdd(dy, dy, hn::Mul(dz, dz)));
+    const auto larger = hn::Ge(hn::LoadU(d, near.radius.data() + at), smallest);
+    const auto close =
+        hn::And(hn::And(hn::FirstN(d, near.count - at), larger), hn::Lt(d2, hn::Mul(sum, sum)));
+    if (hn::AllFalse(d, close)) continue;
+    const auto particle = hn::LoadU(du, near.particle.data() + at);
+    hn::StoreU(hn::Compress(particle, hn::RebindMask(du, close)), du, found + n);
+    n += hn::CountTrue(d, close);
   }
   return n;
 }
@@ -59,7 +97,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace quern {
 
-HWY_EXPORT(near_entries);
+HWY_EXPORT(collect_block);
+HWY_EXPORT(choose_near);
 
 namespace {
 
@@ -78,7 +117,8 @@ struct Entry {
   float x, y, z, reach, radius;
 };
 
-// The particle in the middle of the window and its images across periodic faces nearer than `reach`.
+// The particle in the middle of the window and its images across periodic faces nearer than
+// `reach`.
 void append_entries(const SearchInput& in, std::size_t p, double reach,
                     const std::array<double, 3>& low, std::vector<Entry>& to) {
   const SearchPoint& point = in.point[p];
@@ -101,8 +141,8 @@ void append_entries(const SearchInput& in, std::size_t p, double reach,
       for (int kz = 0; kz < shifts[2]; ++kz) {
         to.push_back({static_cast<Index>(p), static_cast<float>(at[0] + shift[0][kx] - low[0]),
                       static_cast<float>(at[1] + shift[1][ky] - low[1]),
-                      static_cast<float>(at[2] + shift[2][kz] - low[2]),
-                      static_cast<float>(own), static_cast<float>(point.radius)});
+                      static_cast<float>(at[2] + shift[2][kz] - low[2]), static_cast<float>(own),
+                      static_cast<float>(point.radius)});
       }
     }
   }
@@ -252,52 +292,143 @@ void build_grid(const SearchInput& in, SearchGrid& grid) {
   for (std::size_t l = 0; l < levels; ++l) sort_into_cells(entries[l], grid.levels[l]);
 }
 
+namespace {
+
+constexpr std::size_t kSearchers = 16;   // neighbours along the curve that search together
+constexpr std::size_t kMostCells = 512;  // that they may have around them
+constexpr std::size_t kVectorPad = 16;   // f32 lanes of the widest vector
+
+struct SearchScratch {
+  NearEntries near;
+  std::vector<Index> found;
+  std::vector<CandidatePair> pairs;
+};
+
+void make_room(std::size_t entries, SearchScratch& s) {
+  if (s.found.size() >= entries + kVectorPad) return;
+  const std::size_t room = 2 * entries + kVectorPad;
+  for (auto* c : {&s.near.x, &s.near.y, &s.near.z, &s.near.reach, &s.near.radius}) c->resize(room);
+  s.near.particle.resize(room);
+  s.found.resize(room);
+}
+
+std::size_t entries_in(const GridLevel& level, const CellBlock& block) {
+  std::size_t n = 0;
+  for (int z = block.low[2]; z <= block.high[2]; ++z) {
+    for (int y = block.low[1]; y <= block.high[1]; ++y) {
+      const Index* begin = level.begin.data() + level.row(y, z);
+      n += begin[block.high[0] + 1] - begin[block.low[0]];
+    }
+  }
+  return n;
+}
+
+// The middle of the window, relative to the low corner of a level.
+double middle_of(const SearchInput& in, const GridLevel& level, Index particle, std::size_t axis) {
+  const SearchPoint& p = in.point[particle];
+  return p.x[axis] + 0.5 * in.window * static_cast<double>(p.v[axis]) - level.low[axis];
+}
+
+double own_reach(const SearchInput& in, const SearchGrid& grid, const SearchPoint& p) {
+  return reach_of(p) + in.slack + grid.margin;
+}
+
+// Around the middles of the searchers, relative to the low corner of a level.
+MiddleBox box_of(const SearchInput& in, const GridLevel& level, std::span<const Index> searchers) {
+  MiddleBox box;
+  for (std::size_t a = 0; a < 3; ++a) {
+    double low = HUGE_VAL, high = -HUGE_VAL;
+    for (const Index i : searchers) {
+      const double at = middle_of(in, level, i, a);
+      low = std::min(low, at);
+      high = std::max(high, at);
+    }
+    box.low[a] = static_cast<float>(low);
+    box.high[a] = static_cast<float>(high);
+  }
+  return box;
+}
+
+// Own partners of the searchers in a level.
+void search_level(const SearchInput& in, const SearchGrid& grid, const GridLevel& level,
+                  std::span<const Index> searchers, SearchScratch& s) {
+  const MiddleBox box = box_of(in, level, searchers);
+  double reach = 0;
+  for (const Index i : searchers) reach = std::max(reach, own_reach(in, grid, in.point[i]));
+  CellBlock block;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double way = reach + level.reach;
+    block.low[a] = cell_along(level, static_cast<int>(a), static_cast<double>(box.low[a]) - way);
+    block.high[a] = cell_along(level, static_cast<int>(a), static_cast<double>(box.high[a]) + way);
+  }
+  // The curve jumps: what lies far apart searches in halves.
+  if (searchers.size() > 1 && block.cells() > kMostCells) {
+    const std::size_t half = searchers.size() / 2;
+    search_level(in, grid, level, searchers.first(half), s);
+    search_level(in, grid, level, searchers.subspan(half), s);
+    return;
+  }
+  make_room(entries_in(level, block), s);
+  HWY_DYNAMIC_DISPATCH(collect_block)(level, block, box, static_cast<float>(reach), s.near);
+  if (s.near.count == 0) return;
+  for (const Index i : searchers) {
+    const SearchPoint& mine = in.point[i];
+    const float centre[3] = {static_cast<float>(middle_of(in, level, i, 0)),
+                             static_cast<float>(middle_of(in, level, i, 1)),
+                             static_cast<float>(middle_of(in, level, i, 2))};
+    const std::size_t n = HWY_DYNAMIC_DISPATCH(choose_near)(
+        s.near, centre, static_cast<float>(mine.radius),
+        static_cast<float>(own_reach(in, grid, mine)), s.found.data());
+    for (std::size_t k = 0; k < n; ++k) hwy::Prefetch(in.point + s.found[k]);
+    for (std::size_t k = 0; k < n; ++k) {
+      const SearchPoint& other = in.point[s.found[k]];
+      const bool larger =
+          other.radius > mine.radius || (other.radius == mine.radius && other.id > mine.id);
+      CandidatePair pair = {i, s.found[k], 0, 0};
+      if (larger && meets(in, mine, other, pair)) s.pairs.push_back(pair);
+    }
+  }
+}
+
+// From groups of searchers to the order of particles, partners ascending.
+void sort_pairs(std::vector<CandidatePair>& pairs, Index first, Index last,
+                std::vector<CandidatePair>& out) {
+  std::vector<Index> begin(last - first + 1, 0);
+  for (const CandidatePair& pair : pairs) ++begin[pair.i - first + 1];
+  for (std::size_t k = 1; k < begin.size(); ++k) begin[k] += begin[k - 1];
+  std::vector<CandidatePair> sorted(pairs.size());
+  std::vector<Index> at(begin);
+  for (const CandidatePair& pair : pairs) sorted[at[pair.i - first]++] = pair;
+  for (std::size_t k = 0; k + 1 < begin.size(); ++k) {
+    const auto from = sorted.begin() + begin[k], to = sorted.begin() + begin[k + 1];
+    std::sort(from, to, [](const CandidatePair& a, const CandidatePair& b) { return a.j < b.j; });
+    // A short periodic box can show the same partner twice.
+    std::unique_copy(from, to, std::back_inserter(out),
+                     [](const CandidatePair& a, const CandidatePair& b) { return a.j == b.j; });
+  }
+}
+
+}  // namespace
+
 void find_candidates(const SearchInput& in, const SearchGrid& grid, Index first, Index last,
                      std::vector<CandidatePair>& out) {
-  std::size_t most = 0;
-  for (const GridLevel& level : grid.levels) most = std::max(most, level.particle.size());
-  // Only what is found is ever touched.
-  const auto found = std::make_unique_for_overwrite<std::int32_t[]>(most + 64);
+  SearchScratch s;
+  std::vector<std::vector<Index>> members(grid.levels.size());
   for (Index i = first; i < last; ++i) {
-    const SearchPoint& mine = in.point[i];
-    const std::size_t begin = out.size();
-    const double own = reach_of(mine) + in.slack + grid.margin;
-    const std::size_t l0 = static_cast<std::size_t>(level_of(mine.radius, grid.smallest_radius));
-    for (std::size_t l = l0; l < grid.levels.size(); ++l) {
-      const GridLevel& level = grid.levels[l];
-      if (level.particle.empty()) continue;
-      CellBlock block;
-      float centre[3];
-      const double reach = own + level.reach;
-      for (std::size_t a = 0; a < 3; ++a) {
-        const double at =
-            mine.x[a] + 0.5 * in.window * static_cast<double>(mine.v[a]) - level.low[a];
-        centre[a] = static_cast<float>(at);
-        block.low[a] = cell_along(level, static_cast<int>(a), at - reach);
-        block.high[a] = cell_along(level, static_cast<int>(a), at + reach);
-      }
-      const std::size_t n = HWY_DYNAMIC_DISPATCH(near_entries)(
-          level, block, centre, static_cast<float>(mine.radius), static_cast<float>(own),
-          found.get());
-      for (std::size_t k = 0; k < n; ++k) {
-        hwy::Prefetch(in.point + level.particle[static_cast<std::size_t>(found[k])]);
-      }
-      for (std::size_t k = 0; k < n; ++k) {
-        const Index j = level.particle[static_cast<std::size_t>(found[k])];
-        const SearchPoint& other = in.point[j];
-        const bool larger = other.radius > mine.radius ||
-                            (other.radius == mine.radius && other.id > mine.id);
-        CandidatePair pair = {i, j, 0, 0};
-        if (larger && meets(in, mine, other, pair)) out.push_back(pair);
+    members[static_cast<std::size_t>(level_of(in.point[i].radius, grid.smallest_radius))].push_back(
+        i);
+  }
+  for (std::size_t own = 0; own < members.size(); ++own) {
+    for (std::size_t at = 0; at < members[own].size(); at += kSearchers) {
+      const std::span<const Index> searchers(members[own].data() + at,
+                                             std::min(kSearchers, members[own].size() - at));
+      for (std::size_t l = own; l < grid.levels.size(); ++l) {
+        if (grid.levels[l].particle.empty()) continue;
+        search_level(in, grid, grid.levels[l], searchers, s);
       }
     }
-    std::sort(out.begin() + static_cast<std::ptrdiff_t>(begin), out.end(),
-              [](const CandidatePair& a, const CandidatePair& b) { return a.j < b.j; });
-    // A short periodic box can show the same partner twice.
-    out.erase(std::unique(out.begin() + static_cast<std::ptrdiff_t>(begin), out.end(),
-                          [](const CandidatePair& a, const CandidatePair& b) { return a.j == b.j; }),
-              out.end());
   }
+  sort_pairs(s.pairs, first, last, out);
 }
 
 }  // namespace quern

@@ -19,25 +19,31 @@
 namespace quern {
 
 struct SearchBox {
-  std::array<double, 3> low{}, high{};      // bounds of all centres, m
-  std::array<double, 3> period{};           // 0: not periodic
+  std::array<double, 3> low{}, high{};  // bounds of all centres, m
+  std::array<double, 3> period{};       // 0: not periodic
 };
 
 // Cells low ... high, both included.
 struct CellBlock {
   std::array<int, 3> low{}, high{};
+
+  std::size_t cells() const {
+    std::size_t n = 1;
+    for (std::size_t a = 0; a < 3; ++a) n *= static_cast<std::size_t>(high[a] - low[a] + 1);
+    return n;
+  }
 };
 
-// One level: entries sorted by cell, cells x-fastest. Positions are f32 relative to `low`: used for a
-// conservative reject only.
+// One level: entries sorted by cell, cells x-fastest. Positions are f32 relative to `low`: used for
+// a conservative reject only.
 struct GridLevel {
-  double cell = 0;            // m
-  double inverse_cell = 0;    // 1/m
-  double reach = 0;           // m, largest radius + half path + slack of an entry
+  double cell = 0;          // m
+  double inverse_cell = 0;  // 1/m
+  double reach = 0;         // m, largest radius + half path + slack of an entry
   std::array<double, 3> low{};
   std::array<int, 3> count{};
-  Column<Index> begin;        // cells + 1
-  Column<Index> particle;     // index in the current order
+  Column<Index> begin;                      // cells + 1
+  Column<Index> particle;                   // index in the current order
   Column<float> x, y, z, reach_of, radius;  // reach of each entry: radius + half path
 
   std::size_t row(int y_cell, int z_cell) const {
@@ -45,6 +51,18 @@ struct GridLevel {
             static_cast<std::size_t>(y_cell)) *
            static_cast<std::size_t>(count[0]);
   }
+};
+
+// Around the middles of searchers, relative to the low corner of a level, m.
+struct MiddleBox {
+  std::array<float, 3> low{}, high{};
+};
+
+// Entries of some cells, one after the other.
+struct NearEntries {
+  std::vector<float> x, y, z, reach, radius;
+  std::vector<Index> particle;
+  std::size_t count = 0;
 };
 
 struct SearchGrid {
