@@ -221,7 +221,7 @@ void find_walls(World<Real>& world, std::vector<float>& speed) {
 }  // namespace
 
 template <class Real>
-void add_points(World<Real>& world, std::vector<SearchPoint>& points) {
+void add_points(World<Real>& world, SearchPoint* points) {
   Polyhedra<Real>& p = world.polyhedra;
   Column<double>* place[3] = {&p.x, &p.y, &p.z};
   for (std::size_t k = 0; k < p.size(); ++k) {
@@ -242,11 +242,11 @@ void add_points(World<Real>& world, std::vector<SearchPoint>& points) {
     p.list_qx[k] = p.qx[k];
     p.list_qy[k] = p.qy[k];
     p.list_qz[k] = p.qz[k];
-    points.push_back({{p.x[k], p.y[k], p.z[k]},
-                      bound_radius(world, k),
-                      {p.list_vx[k], p.list_vy[k], p.list_vz[k]},
-                      0,
-                      p.first_id + static_cast<Index>(k)});
+    points[k] = {{p.x[k], p.y[k], p.z[k]},
+                 bound_radius(world, k),
+                 {p.list_vx[k], p.list_vy[k], p.list_vz[k]},
+                 0,
+                 p.first_id + static_cast<Index>(k)};
   }
 }
 
@@ -300,8 +300,8 @@ void lay_out_polyhedra(World<Real>& world, Graph& graph, const SearchInput& in,
   lay_out_pairs(world, found.pairs);
 }
 
-template void add_points(World<float>&, std::vector<SearchPoint>&);
-template void add_points(World<double>&, std::vector<SearchPoint>&);
+template void add_points(World<float>&, SearchPoint*);
+template void add_points(World<double>&, SearchPoint*);
 template void search_polyhedra(World<float>&, const SearchInput&, const SearchGrid&,
                                BodyCandidates&);
 template void search_polyhedra(World<double>&, const SearchInput&, const SearchGrid&,

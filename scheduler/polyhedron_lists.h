@@ -1,8 +1,9 @@
 // Lists of polyhedra, made at a rebuild: spheres near each of them, pairs of them, facets of walls.
 //
 // The search knows a polyhedron by its bounding sphere, behind the spheres in the order of points.
-// Of the spheres found the planes part most for the whole life of the lists, as long as nobody leaves
-// its straight line and no polyhedron turns by more than it may (list_allowance.h): they are dropped.
+// Of the spheres found the planes part most for the whole life of the lists, as long as nobody
+// leaves its straight line and no polyhedron turns by more than it may (list_allowance.h): they are
+// dropped.
 #pragma once
 
 #include <vector>
@@ -29,22 +30,23 @@ struct BodyCandidates {
   std::vector<float> speed;  // m/s, of the fastest meeting of each body
 };
 
-// Points of the polyhedra behind those of the spheres; notes where, how fast and how turned they are.
+// Points of all polyhedra; notes where, how fast and how turned they are.
 template <class Real>
-void add_points(World<Real>& world, std::vector<SearchPoint>& points);
+void add_points(World<Real>& world, SearchPoint* points);
 
 // Takes the pairs with polyhedra (j >= spheres) out of a tile's candidates.
 void take_near_spheres(std::size_t spheres, std::vector<CandidatePair>& own,
                        std::vector<NearSphere>& near);
 
-// Candidates of the polyhedra themselves: pairs, facets of walls, and spheres larger than they, which
-// go to `near` of the sphere's tile. Sets the speeds of the polyhedra's meetings with all of them.
+// Candidates of the polyhedra themselves: pairs, facets of walls, and spheres larger than they,
+// which go to `near` of the sphere's tile. Sets the speeds of the polyhedra's meetings with all of
+// them.
 template <class Real>
 void search_polyhedra(World<Real>& world, const SearchInput& in, const SearchGrid& grid,
                       BodyCandidates& found);
 
-// Lays the lists out anew when all allowances are known; drops who stays apart, carries histories of
-// open contacts over. `old_of_new`: where a sphere was before the spheres were sorted.
+// Lays the lists out anew when all allowances are known; drops who stays apart, carries histories
+// of open contacts over. `old_of_new`: where a sphere was before the spheres were sorted.
 template <class Real>
 void lay_out_polyhedra(World<Real>& world, Graph& graph, const SearchInput& in,
                        const std::vector<Index>& old_of_new, BodyCandidates& found);

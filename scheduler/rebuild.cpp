@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <span>
 
 #include "kernels/contact.h"
@@ -27,22 +28,48 @@ std::uint64_t spread_bits(std::uint64_t v) {
   return v;
 }
 
+std::size_t chunks_of(std::size_t n) { return (n + kChunk - 1) / kChunk; }
+
+// Brings periodic positions back into the domain; sets the bounds of all.
+template <class Real>
+void wrap_positions(World<Real>& world, Graph& graph, RebuildScratch<Real>& s) {
+  Particles<Real>& p = world.particles;
+  s.bounds.assign(chunks_of(p.size()), Bounds());
+  graph.for_each(s.bounds.size(), [&](std::size_t chunk, int) {
+    for (std::size_t k = chunk * kChunk; k < std::min(p.size(), (chunk + 1) * kChunk); ++k) {
+      for (std::size_t a = 0; a < 3; ++a) {
+        if (!world.periodic[a]) continue;
+        const Eigen::Index e = static_cast<Eigen::Index>(a);
+        const double low = world.low[e], length = world.high[e] - low;
+        double& x = (&p.record[k].x)[a];
+        const double turns = std::floor((x - low) / length);
+        if (turns != 0) x -= turns * length;
+      }
+      s.bounds[chunk].add(Vec3(p.record[k].x, p.record[k].y, p.record[k].z));
+    }
+  });
+}
+
+Bounds together(const std::vector<Bounds>& parts) {
+  Bounds all;
+  for (const Bounds& part : parts) {
+    all.add(part.low);
+    all.add(part.high);
+  }
+  return all;
+}
+
 // Order along the Morton curve over a grid of half the mean spacing, ties by identity.
 template <class Real>
 void order_particles(const World<Real>& world, Graph& graph, RebuildScratch<Real>& s) {
   const Particles<Real>& p = world.particles;
   const std::size_t n = p.size();
-  Vec3 low = Vec3::Constant(1e300), high = Vec3::Constant(-1e300);
-  for (std::size_t k = 0; k < n; ++k) {
-    const Vec3 x(p.record[k].x, p.record[k].y, p.record[k].z);
-    low = low.cwiseMin(x);
-    high = high.cwiseMax(x);
-  }
+  const auto [low, high] = together(s.bounds);
   const double extent = std::max((high - low).maxCoeff(), 1e-9);
   const double volume = (high - low).cwiseMax(1e-3 * extent).prod();
   const double cell = std::max(std::cbrt(volume / static_cast<double>(n)), extent / 2e6);
   s.keys.resize(n);
-  graph.for_each((n + kChunk - 1) / kChunk, [&](std::size_t chunk, int) {
+  graph.for_each(chunks_of(n), [&](std::size_t chunk, int) {
     for (std::size_t k = chunk * kChunk; k < std::min(n, (chunk + 1) * kChunk); ++k) {
       const auto bits = [&](double x, double from) {
         return spread_bits(static_cast<std::uint64_t>((x - from) / cell));
@@ -94,36 +121,20 @@ void permute_particles(World<Real>& world, Graph& graph, RebuildScratch<Real>& s
 }
 
 template <class Real>
-void wrap_positions(World<Real>& world) {
-  Particles<Real>& p = world.particles;
-  for (std::size_t a = 0; a < 3; ++a) {
-    if (!world.periodic[a]) continue;
-    const Eigen::Index e = static_cast<Eigen::Index>(a);
-    const double low = world.low[e], length = world.high[e] - low;
-    for (std::size_t k = 0; k < p.size(); ++k) {
-      double& x = (&p.record[k].x)[a];
-      const double turns = std::floor((x - low) / length);
-      if (turns != 0) x -= turns * length;
-    }
-  }
-}
-
-template <class Real>
-SearchInput search_input(const World<Real>& world, RebuildScratch<Real>& s) {
+SearchInput search_input(const World<Real>& world, RebuildScratch<Real>& s, std::size_t points) {
   SearchInput in{};
-  in.count = s.points.size();
-  in.point = s.points.data();
+  in.count = points;
+  in.point = s.points.get();
   in.window = static_cast<double>(world.clock.list_window) * world.clock.dt;
   in.slack = world.clock.slack;
+  Bounds box = together(s.bounds);
+  for (std::size_t k = world.particles.size(); k < points; ++k) {
+    box.add(Vec3(in.point[k].x[0], in.point[k].x[1], in.point[k].x[2]));
+  }
   for (std::size_t a = 0; a < 3; ++a) {
     const Eigen::Index e = static_cast<Eigen::Index>(a);
-    double low = s.points[0].x[a], high = low;
-    for (const SearchPoint& p : s.points) {
-      low = std::min(low, p.x[a]);
-      high = std::max(high, p.x[a]);
-    }
-    in.box.low[a] = world.periodic[a] ? world.low[e] : low;
-    in.box.high[a] = world.periodic[a] ? world.high[e] : high;
+    in.box.low[a] = world.periodic[a] ? world.low[e] : box.low[e];
+    in.box.high[a] = world.periodic[a] ? world.high[e] : box.high[e];
     in.box.period[a] = world.periodic[a] ? world.high[e] - world.low[e] : 0;
   }
   return in;
@@ -154,7 +165,8 @@ double gap_of(const SearchInput& in, Index i, Index j) {
 }
 
 // Groups pairs by their owner: partners nearest first, owners of many partners first, of those the
-// ones with many contacts: few lanes are empty, and the rows of a block touch in most lanes or in none.
+// ones with many contacts: few lanes are empty, and the rows of a block touch in most lanes or in
+// none.
 template <bool kOwn>
 void arrange(const SearchInput& in, std::span<const CandidatePair> pairs, Index first,
              BlockPlan& plan) {
@@ -177,17 +189,17 @@ void arrange(const SearchInput& in, std::span<const CandidatePair> pairs, Index 
     for (Index from = begin[k]; from < begin[k + 1];) {
       const Index count = std::min(begin[k + 1] - from, most);
       const auto near = partner.begin() + from;
-      const auto apart = std::find_if(near, near + count, [](const auto& p) { return p.first > 0; });
+      const auto apart =
+          std::find_if(near, near + count, [](const auto& p) { return p.first > 0; });
       plan.lanes.push_back(
           {first + static_cast<Index>(k), from, count, static_cast<Index>(apart - near)});
       from += count;
     }
   }
   for (const auto& p : partner) plan.partners.push_back(p.second);
-  std::stable_sort(plan.lanes.begin(), plan.lanes.end(),
-                   [](const auto& a, const auto& b) {
-                     return a.count != b.count ? a.count > b.count : a.touching > b.touching;
-                   });
+  std::stable_sort(plan.lanes.begin(), plan.lanes.end(), [](const auto& a, const auto& b) {
+    return a.count != b.count ? a.count > b.count : a.touching > b.touching;
+  });
 }
 
 // Slot of the pair (i, j) in the old batch, or kNoIndex; an owner's slots are kPairPad apart.
@@ -350,8 +362,8 @@ void adapt_lists(Clock& clock, const ListEnd& end) {
     // Nobody came near the limit: four times what was needed is enough for twice the window.
     clock.slack = std::min(clock.slack, 8 * end.deviation);
   } else {
-    // Lives and idle slots both grow with the slack s: a step costs about a / s + b s, least where the
-    // two are equal.
+    // Lives and idle slots both grow with the slack s: a step costs about a / s + b s, least where
+    // the two are equal.
     const double rebuilding = kRebuildInSlots / static_cast<double>(lasted);
     const double change = std::sqrt(rebuilding / std::max(end.idle_slots, 0.01));
     clock.slack *= std::clamp(change, 0.8, 1.25);
@@ -370,17 +382,19 @@ void rebuild(World<Real>& world, Graph& graph, RebuildScratch<Real>& s) {
     world.tile_walls.clear();
     return;
   }
-  s.points.resize(n);
+  const std::size_t points = n + (polyhedra ? world.polyhedra.size() : 0);
+  s.points = std::make_unique_for_overwrite<SearchPoint[]>(points);
   s.speed.assign(n, 0);
+  s.bounds.clear();
   if (n > 0) {
-    wrap_positions(world);
+    wrap_positions(world, graph, s);
     order_particles(world, graph, s);
     permute_particles(world, graph, s);
     carry_wall_springs(world, s);
   }
-  if (polyhedra) add_points(world, s.points);
+  if (polyhedra) add_points(world, s.points.get() + n);
 
-  const SearchInput in = search_input(world, s);
+  const SearchInput in = search_input(world, s, points);
   build_grid(in, s.grid);
   const std::size_t tiles = world.tiles();
   s.own.resize(tiles);
@@ -420,7 +434,7 @@ void rebuild(World<Real>& world, Graph& graph, RebuildScratch<Real>& s) {
   // A rebuild is rare and its scratch is as large as the state: it's given back, in time for the
   // slots.
   s.grid = SearchGrid();
-  std::vector<SearchPoint>().swap(s.points);
+  s.points.reset();
   lay_out_pairs(world, graph, s);
   s.sorted.release();
   s.pairs = PairBatch<Real>();
