@@ -130,7 +130,7 @@ void check_run(const SceneCheck& check) {
     check.error("run.start", "'start': \"file\" needs 'start_file'");
   if (run.start != StartKind::kFile && !run.start_file.empty() && check.good({"run.start"}))
     check.error("run.start_file", "'start_file' needs start = \"file\"");
-  check.file("run.start_file", run.start_file);
+  if (check.draft.start_file == StartFile::kNeeded) check.file("run.start_file", run.start_file);
   if (run.relax && run.start != StartKind::kFile && check.good({"run.start", "run.relax"}))
     check.error("run.relax", "'relax' needs start = \"file\"");
 }

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "io/quantity.h"
+#include "io/scene_reader.h"
 #include "soa/scene.h"
 
 namespace quern {
@@ -76,6 +77,7 @@ struct SceneDraft {
   int format = 1;
   Scene scene;
   std::vector<WallSpec> walls;
+  StartFile start_file = StartFile::kNeeded;
 };
 
 template <class Io>

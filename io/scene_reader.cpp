@@ -30,7 +30,8 @@ std::vector<std::string> all_paths() {
 }  // namespace
 
 SceneResult parse_scene(const std::string& text, const std::string& display_name,
-                        const std::string& folder, const std::vector<std::string>& overrides) {
+                        const std::string& folder, const std::vector<std::string>& overrides,
+                        StartFile start_file) {
   SceneResult result;
   Messages messages(display_name, overrides);
   Node root = parse_toml(text, messages);
@@ -39,6 +40,7 @@ SceneResult parse_scene(const std::string& text, const std::string& display_name
     apply_overrides(root, overrides, messages);
     ReadContext context{messages, {}, all_paths()};
     SceneDraft draft;
+    draft.start_file = start_file;
     TableReader reader(context, &root, "");
     fields(reader, draft);
     reader.finish();

@@ -12,6 +12,9 @@
 
 namespace quern {
 
+// Whether run.start_file must exist: a run that goes on from its own checkpoint has read it before.
+enum class StartFile { kNeeded, kReadBefore };
+
 struct SceneResult {
   Scene scene;
   std::vector<std::string> errors;
@@ -26,7 +29,8 @@ SceneResult read_scene(const std::string& path, const std::vector<std::string>& 
 
 // The same from a text. `display_name` stands in messages; relative paths start at `folder`.
 SceneResult parse_scene(const std::string& text, const std::string& display_name,
-                        const std::string& folder, const std::vector<std::string>& overrides = {});
+                        const std::string& folder, const std::vector<std::string>& overrides = {},
+                        StartFile start_file = StartFile::kNeeded);
 
 // The scene with every default filled in, in SI units; reads back to an equal scene.
 std::string scene_to_toml(const Scene& scene);

@@ -19,7 +19,7 @@ double centre(const TallyInput& in, std::size_t axis) {
 
 double ledger_error(const Ledger& l) {
   const double stored = l.kinetic + l.elastic - l.start_kinetic - l.start_elastic;
-  const double missing = l.wall_work + l.gravity_work - stored - l.dissipated();
+  const double missing = l.wall_work + l.gravity_work - stored - l.dissipated() - l.drag_loss;
   const double scale = std::max({l.wall_work, l.start_kinetic, l.dissipated()});
   return scale > 0 ? std::abs(missing) / scale : 0;
 }

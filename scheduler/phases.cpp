@@ -9,13 +9,13 @@ namespace quern {
 
 namespace {
 
-constexpr double kTrueLawTime = 0.1;    // s, the end of every settling
+constexpr double kTrueLawTime = 0.1;  // s, the end of every settling
 // 1/s. What was placed close falls at 0.8 m/s: a ball that lands much faster presses fines in
 // so deep that they burst out when the springs stiffen. Rain has far to fall.
 constexpr double kSoftDrag = 12, kRainDrag = 4;
-constexpr double kStiffenTime = 0.12;   // s; a deep bed rises by centimetres while it stiffens
-constexpr int kStiffenStages = 48;      // so many that a stage releases a tenth of the overlap
-constexpr double kStiffenDrag = 60;     // 1/s: the bed swings, and falls together again, slowly
+constexpr double kStiffenTime = 0.12;       // s; a deep bed rises by centimetres while it stiffens
+constexpr int kStiffenStages = 48;          // so many that a stage releases a tenth of the overlap
+constexpr double kStiffenDrag = 60;         // 1/s: the bed swings, and falls together again, slowly
 constexpr double kRelaxTrueLawTime = 0.05;  // s, the end of every relaxing
 constexpr double kRelaxDrag = 20;           // 1/s
 constexpr double kFirstCap = 1e-4, kLastCap = 1e-2;  // of the smallest polyhedron's radius
@@ -23,19 +23,6 @@ constexpr int kRelaxStages = 32;
 
 std::uint64_t steps_in(double time, double dt) {
   return static_cast<std::uint64_t>(std::llround(std::max(time, 0.0) / dt));
-}
-
-double run_time(const Scene& scene) {
-  if (scene.run.duration) return *scene.run.duration;
-  if (!scene.run.revolutions || !scene.mill) return 0;
-  const double angle = 2 * kPi * *scene.run.revolutions;
-  double low = 0, high = 1;
-  while (std::abs(schedule_integral(scene.mill->rotation, high)) < angle && high < 1e9) high *= 2;
-  for (int k = 0; k < 200; ++k) {
-    const double middle = 0.5 * (low + high);
-    (std::abs(schedule_integral(scene.mill->rotation, middle)) < angle ? low : high) = middle;
-  }
-  return high;
 }
 
 void add_settling(const Scene& scene, double dt, double depth, double rest_energy,
@@ -49,7 +36,8 @@ void add_settling(const Scene& scene, double dt, double depth, double rest_energ
   const bool soft = run.soft_stiffness < 1;
   const double stretch = soft ? 1 / std::sqrt(run.soft_stiffness) : 1;
   double soft_time = total - kTrueLawTime;
-  if (scene.fill.method == FillMethod::kRain) soft_time = std::max(soft_time, scene.fill.over + fall);
+  if (scene.fill.method == FillMethod::kRain)
+    soft_time = std::max(soft_time, scene.fill.over + fall);
   if (soft && soft_time > 0) {
     plan.push_back({Phase::kSoft, run.soft_stiffness, dt * stretch,
                     scene.fill.method == FillMethod::kRain ? kRainDrag : kSoftDrag,
@@ -89,6 +77,19 @@ double smallest_polyhedron(const World<Real>& world) {
 }
 
 }  // namespace
+
+double run_time(const Scene& scene) {
+  if (scene.run.duration) return *scene.run.duration;
+  if (!scene.run.revolutions || !scene.mill) return 0;
+  const double angle = 2 * kPi * *scene.run.revolutions;
+  double low = 0, high = 1;
+  while (std::abs(schedule_integral(scene.mill->rotation, high)) < angle && high < 1e9) high *= 2;
+  for (int k = 0; k < 200; ++k) {
+    const double middle = 0.5 * (low + high);
+    (std::abs(schedule_integral(scene.mill->rotation, middle)) < angle ? low : high) = middle;
+  }
+  return high;
+}
 
 std::vector<PhasePlan> plan_phases(const Scene& scene, double dt, double depth, double mass,
                                    double smallest_radius) {

@@ -31,6 +31,9 @@ struct PhasePlan {
 
 inline constexpr double kExchangeRelax = 0.2;  // s, of a charge whose shapes were exchanged
 
+// How long the walls move, s.
+double run_time(const Scene& scene);
+
 // The phases of a scene; the last one is the run. `dt` is the true step, `depth` how far particles
 // may fall (m).
 std::vector<PhasePlan> plan_phases(const Scene& scene, double dt, double depth, double mass,

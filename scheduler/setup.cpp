@@ -6,6 +6,7 @@
 
 #include "kernels/laws/damping.h"
 #include "kernels/rotate.h"
+#include "scheduler/phases.h"
 
 namespace quern {
 
@@ -26,7 +27,8 @@ class GeometryBuilder {
  public:
   GeometryBuilder(const Scene& scene, std::span<const ParticleSeed> particles)
       : scene_(scene), largest_(radius_range(particles).second) {
-    for (int a = 0; a < 3; ++a) out_.periodic[static_cast<std::size_t>(a)] = scene.domain.periodic[a];
+    for (int a = 0; a < 3; ++a)
+      out_.periodic[static_cast<std::size_t>(a)] = scene.domain.periodic[a];
     if (scene.mill && scene.mill->ends == EndKind::kPeriodic) out_.periodic[2] = true;
     for (const ParticleSeed& p : particles) {
       const bool placed = is_explicit(scene, p);
@@ -39,7 +41,7 @@ class GeometryBuilder {
     for (std::size_t m = 0; m < meshes.size(); ++m) add_mesh(scene_.meshes[m], meshes[m]);
     for (const BoxSpec& box : scene_.boxes) {
       for (const Triangle& t : box_faces(box, scene_.run.gravity)) {
-        for (const Vec3& c : t.corner) include(c, largest_);
+        for (const Vec3& c : t.corner) include_path(c, box.motion);
       }
       if (box.open_top) include(0.5 * (box.low + box.high) - rain_height() * down(), largest_);
       add(box.name, box.material, box.motion, box_faces(box, scene_.run.gravity));
@@ -71,6 +73,28 @@ class GeometryBuilder {
     bounded_ = true;
   }
 
+  // A point of a wall, wherever its motion takes it.
+  void include_path(const Vec3& x, const Motion& motion) {
+    include(x, largest_);
+    switch (motion.kind) {
+      case MotionKind::kFixed:
+        return;
+      case MotionKind::kRotation:
+        return include(motion.center, (x - motion.center).norm() + largest_);
+      case MotionKind::kOscillation:
+        return include(x, std::abs(motion.amplitude) + largest_);
+      case MotionKind::kTranslation: {
+        // Between two of the times it goes no farther than the rate allows.
+        constexpr int kTimes = 256;
+        const double span = run_time(scene_) / kTimes;
+        for (int k = 0; k < kTimes; ++k) {
+          include(pose_at(motion, k * span).shift + x,
+                  largest_ + max_rate(motion, k * span, span) * span);
+        }
+      }
+    }
+  }
+
   void add(const std::string& name, const std::string& material, const Motion& motion,
            std::vector<Triangle> triangles) {
     Pending* to = nullptr;
@@ -88,8 +112,7 @@ class GeometryBuilder {
     }
     const Index body = static_cast<Index>(to - pending_.data());
     to->components.push_back({std::move(triangles), static_cast<Index>(out_.walls.size())});
-    out_.walls.push_back(
-        {name, static_cast<std::uint32_t>(material_row(scene_, material)), body});
+    out_.walls.push_back({name, static_cast<std::uint32_t>(material_row(scene_, material)), body});
   }
 
   void add_mill(const MillSpec& mill) {
@@ -113,16 +136,9 @@ class GeometryBuilder {
 
   void add_mesh(const MeshWallSpec& mesh, const std::vector<Triangle>& triangles) {
     std::vector<Triangle> all = triangles;
-    double far = 0;
     for (const Triangle& t : triangles) {
-      for (const Vec3& c : t.corner) {
-        if (mesh.motion.kind == MotionKind::kRotation) {
-          far = std::max(far, (c - mesh.motion.center).norm());
-        }
-        include(c, largest_);
-      }
+      for (const Vec3& c : t.corner) include_path(c, mesh.motion);
     }
-    if (far > 0) include(mesh.motion.center, far + largest_);
     // Near a periodic face a particle meets the mesh's image as well.
     for (int a = 0; a < 3; ++a) {
       if (!out_.periodic[static_cast<std::size_t>(a)] || !scene_.domain.low) continue;
@@ -201,10 +217,16 @@ void append_sphere(World<Real>& world, const Scene& scene, const ParticleSeed& s
                    std::size_t k) {
   Particles<Real>& p = world.particles;
   const Real radius = static_cast<Real>(seed.radius);
-  p.record[k] = {seed.position.x(), seed.position.y(), seed.position.z(),
-                 seed.velocity.x(), seed.velocity.y(), seed.velocity.z(),
-                 static_cast<Real>(seed.spin.x()), static_cast<Real>(seed.spin.y()),
-                 static_cast<Real>(seed.spin.z()), radius};
+  p.record[k] = {seed.position.x(),
+                 seed.position.y(),
+                 seed.position.z(),
+                 seed.velocity.x(),
+                 seed.velocity.y(),
+                 seed.velocity.z(),
+                 static_cast<Real>(seed.spin.x()),
+                 static_cast<Real>(seed.spin.y()),
+                 static_cast<Real>(seed.spin.z()),
+                 radius};
   const double mass =
       scene.materials[seed.material].density * sphere_volume(static_cast<double>(radius));
   p.traits[k].inverse_mass = static_cast<Real>(1 / mass);
@@ -275,8 +297,8 @@ std::size_t count_spheres(std::span<const ParticleSeed> seeds) {
       seeds.begin(), seeds.end(), [](const ParticleSeed& seed) { return seed.is_sphere(); }));
 }
 
-// Large tiles share fewer contacts with others, and cost less; small scenes need several to run beside
-// each other. Independent of the number of threads, or bits would depend on it.
+// Large tiles share fewer contacts with others, and cost less; small scenes need several to run
+// beside each other. Independent of the number of threads, or bits would depend on it.
 Index choose_tile_size(std::size_t particles) {
   return static_cast<Index>(std::clamp<std::size_t>(particles / 32, 512, 2048));
 }
@@ -334,8 +356,7 @@ void set_law(World<Real>& world, const Scene& scene, const LawChange& change) {
 }
 
 template <class Real>
-void append_particles(World<Real>& world, const Scene& scene,
-                      std::span<const ParticleSeed> seeds) {
+void append_particles(World<Real>& world, const Scene& scene, std::span<const ParticleSeed> seeds) {
   std::size_t sphere = world.particles.size(), polyhedron = world.polyhedra.size();
   const std::size_t spheres = count_spheres(seeds);
   world.particles.resize(sphere + spheres);
@@ -355,6 +376,27 @@ void include_fill(const Scene& scene, const Vec3& low, const Vec3& high, SceneGe
     if (geometry.periodic[static_cast<std::size_t>(a)]) continue;
     if (!scene.domain.low) geometry.low[a] = std::min(geometry.low[a], low[a]);
     if (!scene.domain.high) geometry.high[a] = std::max(geometry.high[a], high[a]);
+  }
+}
+
+template <class Real>
+void include_charge(const Scene& scene, World<Real>& world) {
+  Vec3 low = world.low, high = world.high;
+  const auto include = [&](const Vec3& x, double reach) {
+    low = low.cwiseMin(Vec3(x - Vec3::Constant(reach)));
+    high = high.cwiseMax(Vec3(x + Vec3::Constant(reach)));
+  };
+  for (const Record<Real>& r : world.particles.record) {
+    include(Vec3(r.x, r.y, r.z), static_cast<double>(r.radius));
+  }
+  const Polyhedra<Real>& p = world.polyhedra;
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    include(p.place(k), p.scale[k] * world.shapes[p.shape[k]].bound_radius);
+  }
+  for (int a = 0; a < 3; ++a) {
+    if (world.periodic[static_cast<std::size_t>(a)]) continue;
+    if (!scene.domain.low) world.low[a] = low[a];
+    if (!scene.domain.high) world.high[a] = high[a];
   }
 }
 
@@ -392,7 +434,9 @@ World<Real> make_world(const Scene& scene, SceneGeometry geometry,
 template World<float> make_world(const Scene&, SceneGeometry, std::span<const ParticleSeed>,
                                  std::span<const ParticleSeed>, std::vector<Shape>);
 template World<double> make_world(const Scene&, SceneGeometry, std::span<const ParticleSeed>,
-                                 std::span<const ParticleSeed>, std::vector<Shape>);
+                                  std::span<const ParticleSeed>, std::vector<Shape>);
+template void include_charge(const Scene&, World<float>&);
+template void include_charge(const Scene&, World<double>&);
 template void append_particles(World<float>&, const Scene&, std::span<const ParticleSeed>);
 template void append_particles(World<double>&, const Scene&, std::span<const ParticleSeed>);
 template void set_law(World<float>&, const Scene&, const LawChange&);

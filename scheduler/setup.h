@@ -51,6 +51,10 @@ double choose_time_step(const Scene& scene, std::span<const ParticleSeed> partic
 // Widens an automatic domain to hold a fill.
 void include_fill(const Scene& scene, const Vec3& low, const Vec3& high, SceneGeometry& geometry);
 
+// The same for a charge that another run has left.
+template <class Real>
+void include_charge(const Scene& scene, World<Real>& world);
+
 // `all` are the particles of the scene, `present` those there from the start; polyhedra among them
 // point into `shapes`, which the world takes over.
 template <class Real>

@@ -144,7 +144,9 @@ void Stepper<Real>::run_tasks(bool rebuilt) {
   if (!bodies_ && !world_.polyhedra.empty()) bodies_.emplace(world_, kernels_, graph_.threads());
   if (bodies_) bodies_->prepare(wall_constants_, rebuilt);
   const std::size_t stretches = bodies_ ? bodies_->stretches() : 0;
-  const auto busy = [&](int w) -> BusyTimes& { return workers_[static_cast<std::size_t>(w)].times; };
+  const auto busy = [&](int w) -> BusyTimes& {
+    return workers_[static_cast<std::size_t>(w)].times;
+  };
   if (bodies_) {
     graph_.for_each(stretches, [&](std::size_t k, int worker) {
       Stopwatch watch;
@@ -247,6 +249,7 @@ void Stepper<Real>::account() {
     l.tangential_damping += t.tangential_damping;
     l.numerical_loss += t.numerical_loss;
     l.model_work += t.model_work;
+    l.drag_loss += t.drag_loss;
   }
   Window& w = world_.window;
   w.steps += 1;
@@ -305,6 +308,7 @@ StepReport Stepper<Real>::step() {
   report.rebuilt = rebuilds;
   ++clock.step;
   ++clock.total_steps;
+  clock.warnings += report.warnings;
   clock.first_kick = 0;
   const bool expired = clock.total_steps - clock.list_step > clock.list_window;
   if (expired || world_.totals.strays > 0) {
@@ -379,7 +383,8 @@ Offender find_offender(const World<Real>& world, std::uint32_t bits) {
   find_outside_body(world, found);
   for (std::size_t k = 0; k < p.size(); ++k) {
     const Record<Real>& r = p.record[k];
-    bool bad = !std::isfinite(r.x + r.y + r.z + r.vx + r.vy + r.vz);
+    bool bad = !std::isfinite(r.x + r.y + r.z + r.vx + r.vy + r.vz + p.spin_x[k] + p.spin_y[k] +
+                              p.spin_z[k]);
     const double x[3] = {r.x, r.y, r.z};
     for (int a = 0; a < 3; ++a) {
       const bool periodic = world.periodic[static_cast<std::size_t>(a)];

@@ -1,5 +1,5 @@
-// Enumeration of a World's state: columns as they are, tile walls packed into columns for the time of
-// the visit. Visiting to write and visiting to read are the same code.
+// Enumeration of a World's state: columns as they are, tile walls packed into columns for the time
+// of the visit. Visiting to write and visiting to read are the same code.
 #include "soa/world.h"
 
 #include <algorithm>
@@ -83,6 +83,8 @@ void World<Real>::visit(StateVisitor& v) {
     v.values(name, unit, type, &data, sizeof(data) / 8);
   };
   block("clock", "1, s", clock, ElementType::kU64);
+  block("domain/low", "m", low, ElementType::kF64);
+  block("domain/high", "m", high, ElementType::kF64);
   block("ledger", "J", ledger, ElementType::kF64);
   block("window", "sums over steps", window, ElementType::kF64);
   block("totals", "sums over the scene", totals, ElementType::kF64);

@@ -87,6 +87,7 @@ struct Ledger {
   double wall_work = 0, gravity_work = 0, contact_work = 0;
   double slide = 0, tangential_damping = 0, numerical_loss = 0;
   double model_work = 0;  // by normal forces of polyhedra that have no potential; in dissipated()
+  double drag_loss = 0;   // taken by the drag of settling; not in dissipated()
   double abs_wall_work = 0;
   double dissipated() const { return -contact_work - (elastic - start_elastic); }
   double normal_damping() const { return dissipated() - slide - tangential_damping; }
@@ -104,7 +105,7 @@ struct Window {
 
 enum class Phase : std::uint32_t { kSoft, kStiffen, kRelax, kSettle, kRun };
 
-// Plain numbers that the next step depends on; saved as one block.
+// Plain numbers of the run, most of which the next step depends on; saved as one block.
 struct Clock {
   std::uint64_t step = 0;        // of this phase
   std::uint64_t total_steps = 0; // of all phases
@@ -118,6 +119,8 @@ struct Clock {
   std::uint64_t fixed_slack = 0;  // the scene gave it: never adapted
   std::uint64_t first_kick = 1;  // the next step starts from full-step velocities
   std::uint64_t inserted = 0;    // particles inserted so far (rain)
+  std::uint64_t warnings = 0;    // contacts deeper than half the smaller radius, summed over steps
+  double fall = 0;               // m, how far the charge may fall while it settles
 };
 
 template <class Real>
@@ -126,7 +129,7 @@ struct World {
   Index tile_size = 1024;
   double smallest_radius = 0;  // m
   Vec3 gravity = Vec3::Zero();
-  Vec3 low = Vec3::Zero(), high = Vec3::Zero();  // domain
+  Vec3 low = Vec3::Zero(), high = Vec3::Zero();  // domain, as far as it was filled; saved
   std::array<bool, 3> periodic{};
   Index materials = 1;
   LawColumns<Real> law;

@@ -78,7 +78,7 @@ LoadedScene load_scene(const std::string& path, const std::vector<std::string>& 
 
 LoadedScene load_scene_text(const std::string& text, const std::string& name,
                             const std::string& folder) {
-  return finish(parse_scene(text, name, folder));
+  return finish(parse_scene(text, name, folder, {}, StartFile::kReadBefore));
 }
 
 Shape read_shape(const std::string& path, const ShapeOptions& options, ShapeReport& report) {

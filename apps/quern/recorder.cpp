@@ -165,6 +165,7 @@ void Recorder::write_summary(World<Real>& world, const RunFigures& figures) {
   s.set("steps", world.clock.step);
   s.set("time_s", world.time());
   s.set("finished", figures.finished);
+  if (!figures.error.empty()) s.set("error", figures.error);
   s.set("wall_s", figures.wall_seconds);
   s.set("particle_steps_per_s", figures.step_seconds > 0 ? n * static_cast<double>(figures.run_steps) /
                                                                figures.step_seconds
@@ -211,7 +212,7 @@ void Recorder::write_summary(World<Real>& world, const RunFigures& figures) {
   s.set("stored_energy_change_J", l.kinetic + l.elastic - l.start_kinetic - l.start_elastic);
   s.set("ledger_error", ledger_error(l));
   s.set("numerical_loss", numerical_loss_share(l));
-  s.set("overlap_warnings", figures.warnings);
+  s.set("overlap_warnings", world.clock.warnings);
   s.set("rebuilds", world.clock.rebuilds);
   s.set("list_slack_m", world.clock.slack);
   s.set("listed_pairs_per_particle", static_cast<double>(world.pairs.slots()) / n);

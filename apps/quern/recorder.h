@@ -20,10 +20,10 @@ struct RunFigures {  // of the program, not of the charge
   double step_seconds = 0;       // inside steps of the run phase
   std::uint64_t run_steps = 0;   // of the run phase, by this process
   StageTimes times;              // of the run phase
-  double warnings = 0;           // contacts deeper than half a radius, summed over steps
   int threads = 1;
   std::string simd_target;
   bool finished = false;
+  std::string error;  // of a run that went wrong
 };
 
 class Recorder {

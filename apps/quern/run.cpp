@@ -1,5 +1,5 @@
-// A run from the scene to its summary: phases of settling, then the mill. All state is in the World;
-// this file decides when to record, to checkpoint and to stop.
+// A run from the scene to its summary: phases of settling, then the mill. All state is in the
+// World; this file decides when to record, to checkpoint and to stop.
 #include "apps/quern/run.h"
 
 #include <fmt/format.h>
@@ -10,12 +10,12 @@
 #include <cmath>
 #include <csignal>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 
 #include "apps/quern/load.h"
 #include "apps/quern/recorder.h"
 #include "io/checkpoint.h"
+#include "io/file_commit.h"
 #include "io/log.h"
 #include "io/scene_reader.h"
 #include "scheduler/exchange.h"
@@ -47,10 +47,13 @@ class Run {
       : loaded_(std::move(loaded)), options_(options), started_(now()) {
     const Scene& scene = loaded_.scene;
     SceneGeometry geometry = build_geometry(scene, loaded_.meshes, loaded_.seeds);
-    double depth = (geometry.high - geometry.low).norm();
     const bool fills = checkpoint.empty() && scene.run.start == StartKind::kFill;
     const bool rains = scene.run.start == StartKind::kFill && inserted_later(scene);
-    if (fills) depth = fill(geometry);
+    double fall = 0;
+    if (fills) {
+      forget_old_run();
+      fall = fill(geometry);
+    }
     std::vector<ParticleSeed> early;  // of a scene with rain: those there from the start
     for (const ParticleSeed& p : loaded_.seeds) {
       if (rains && is_explicit(scene, p)) early.push_back(p);
@@ -59,10 +62,14 @@ class Run {
     }
     world_ = make_world<Real>(scene, std::move(geometry), loaded_.seeds,
                               rains ? early : loaded_.seeds, std::move(loaded_.shapes));
-    if (!fills && checkpoint.empty()) {
+    if (fills) {
+      world_.clock.fall = fall;
+    } else if (checkpoint.empty()) {
       start_from(start_path(scene));
-    } else if (!fills) {
+      forget_old_run();
+    } else {
       read_checkpoint(checkpoint, [&](StateVisitor& v) { world_.visit(v); });
+      warn_of_target(read_checkpoint_header(checkpoint));
       count_mass();
     }
     if (rains) {
@@ -71,7 +78,7 @@ class Run {
       std::vector<ParticleSeed>().swap(loaded_.seeds);  // tens of megabytes in a large scene
     }
     if (rain_) rain_->resume_after(world_.clock.inserted);
-    plan_ = plan_phases(scene, loaded_.dt, depth, scene_mass_, smallest_);
+    plan_ = plan_phases(scene, loaded_.dt, world_.clock.fall, scene_mass_, smallest_);
     stepper_ = std::make_unique<Stepper<Real>>(world_, options.threads);
     const bool resumed = !checkpoint.empty();
     const bool in_run = resumed && world_.clock.phase + 1 == plan_.size();
@@ -82,8 +89,6 @@ class Run {
   }
 
   int go() {
-    std::signal(SIGINT, on_signal);
-    std::signal(SIGTERM, on_signal);
     last_checkpoint_ = now();
     bool fine = true;
     for (std::size_t row = world_.clock.phase; row < plan_.size() && fine; ++row) {
@@ -100,6 +105,29 @@ class Run {
   }
 
  private:
+  // What another run has left in the folder would be taken for this one's.
+  void forget_old_run() const {
+    for (const char* name : {"summary.json", "checkpoint.h5", "checkpoint.previous.h5"}) {
+      std::error_code error;
+      fs::remove(fs::path(options_.out) / name, error);
+      if (error) {
+        throw SystemError(
+            fmt::format("cannot remove '{}/{}': {}", options_.out, name, error.message()));
+      }
+    }
+  }
+
+  static void warn_of_target(const CheckpointHeader& header) {
+    const std::string target = choose_kernels<Real>().target;
+    if (header.simd_target == target) return;
+    log_warn(fmt::format("the run was computed with {}, this machine has {}: its bits will differ",
+                         header.simd_target, target));
+  }
+
+  static const char* precision_of(const Scene& scene) {
+    return scene.run.precision == Precision::kDouble ? "double" : "mixed";
+  }
+
   static std::string start_path(const Scene& scene) {
     const fs::path path = fs::path(scene.folder) / scene.run.start_file;
     return fs::is_directory(path) ? usable_checkpoint(path.string()) : path.string();
@@ -118,7 +146,8 @@ class Run {
     const FillReport report = place_particles(scene, walls, loaded_.seeds);
     include_fill(scene, report.low, report.high, geometry);
     if (inserted_later(scene)) {
-      log_info(fmt::format("{} particles rain in over {:g} s", loaded_.seeds.size(), scene.fill.over));
+      log_info(
+          fmt::format("{} particles rain in over {:g} s", loaded_.seeds.size(), scene.fill.over));
       return (geometry.high - geometry.low).norm();
     }
     log_info(fmt::format("placed {} particles in {:.1f} s, solid fraction {:.3f}",
@@ -168,10 +197,20 @@ class Run {
   // scene wants as polyhedra are exchanged.
   void start_from(const std::string& path) {
     Scene& scene = loaded_.scene;
-    const std::string text = read_checkpoint_header(path).scene_text;
-    const std::vector<ParticleSpec> there = parse_scene(text, path, scene.folder).scene.particles;
-    const bool exchange = !world_.shapes.empty() &&
-                          std::none_of(there.begin(), there.end(), has_polyhedra);
+    const CheckpointHeader header = read_checkpoint_header(path);
+    if (header.precision != precision_of(scene)) {
+      throw UserError(fmt::format(
+          "run.start_file: '{}' holds a run of precision \"{}\", this scene asks for \"{}\"; set "
+          "run.precision",
+          path, header.precision, precision_of(scene)));
+    }
+    warn_of_target(header);
+    const std::vector<ParticleSpec> there =
+        parse_scene(header.scene_text, path, scene.folder, {}, StartFile::kReadBefore)
+            .scene.particles;
+    const Vec3 low = world_.low, high = world_.high;
+    const bool exchange =
+        !world_.shapes.empty() && std::none_of(there.begin(), there.end(), has_polyhedra);
     std::vector<Shape> shapes;
     if (exchange) std::swap(shapes, world_.shapes);  // without shapes a world reads no polyhedra
     read_checkpoint(path, [&](StateVisitor& v) { world_.visit(v); });
@@ -183,6 +222,9 @@ class Run {
     } else {
       count_mass();
     }
+    world_.low = low;
+    world_.high = high;
+    include_charge(scene, world_);
     restart_clock();
   }
 
@@ -193,6 +235,7 @@ class Run {
     world_.clock.dt = loaded_.dt;
     world_.clock.list_stale = 1;
     world_.clock.rebuilds = 0;
+    world_.clock.warnings = 0;
     const std::optional<double> slack = loaded_.scene.run.list_slack;
     world_.clock.fixed_slack = slack ? 1 : 0;
     if (slack) world_.clock.slack = *slack;
@@ -217,16 +260,17 @@ class Run {
         figures_.step_seconds += now() - before;
         ++figures_.run_steps;
       }
-      figures_.warnings += static_cast<double>(report.warnings);
       if ((report.bits & kFatalBits) != 0) {
-        fail(report, phase);
+        figures_.error = failure(report, phase);
+        log_error(figures_.error);
         return false;
       }
       if (run) recorder_->after_step(world_);
       if (g_signal != 0) break;
       if (world_.clock.step % 32 != 0) continue;
       if (progress_.due()) progress_.show(line(phase, phase_started, first_step));
-      if (now() - last_checkpoint_ > loaded_.scene.output.checkpoint_every) save(options_.out);
+      const double every = loaded_.scene.output.checkpoint_every;
+      if (every > 0 && now() - last_checkpoint_ > every) save(options_.out);
     }
     if (run) progress_.finish(line(phase, phase_started, first_step));
     return true;
@@ -254,18 +298,19 @@ class Run {
       p.energy_error = ledger_error(world_.ledger);
     }
     p.elapsed = now() - started_;
-    if (steps > 0) p.eta = taken / steps * (until / phase.dt - static_cast<double>(world_.clock.step));
+    if (steps > 0)
+      p.eta = taken / steps * (until / phase.dt - static_cast<double>(world_.clock.step));
     p.checkpoint_age = now() - last_checkpoint_;
     return p;
   }
 
   void save(const std::string& folder) {
-    fs::create_directories(folder);
+    make_folder("results", folder);
     CheckpointHeader header;
     header.scene_text = scene_to_toml(loaded_.scene);
     header.scene_name = options_.scene;
     header.simd_target = stepper_->target();
-    header.precision = loaded_.scene.run.precision == Precision::kDouble ? "double" : "mixed";
+    header.precision = precision_of(loaded_.scene);
     header.version = QUERN_VERSION;
     header.time = world_.time();
     header.step = world_.clock.step;
@@ -274,7 +319,8 @@ class Run {
     last_checkpoint_ = now();
   }
 
-  void fail(const StepReport& report, const PhasePlan& phase) const {
+  // What went wrong, where and when.
+  std::string failure(const StepReport& report, const PhasePlan& phase) const {
     const Offender& o = report.first;
     std::string what;
     if ((report.bits & kNotFinite) != 0) {
@@ -290,12 +336,12 @@ class Run {
     } else if (o.partner != kNoIndex) {
       partner = fmt::format(" against particle {}", o.partner);
     }
-    log_error(fmt::format(
+    return fmt::format(
         "{}: particle {} at ({:.6g}, {:.6g}, {:.6g}) m{}, {} t = {:.6g} s, step {}; the state "
         "before is in {}/checkpoint.h5",
         what, o.id, o.position[0], o.position[1], o.position[2], partner,
         phase.kind == Phase::kRun ? "running at" : "settling at",
-        static_cast<double>(world_.clock.step) * phase.dt, world_.clock.step, options_.out));
+        static_cast<double>(world_.clock.step) * phase.dt, world_.clock.step, options_.out);
   }
 
   // Of the run phase: seconds of the clock, and what the threads did in the tasks.
@@ -307,7 +353,8 @@ class Run {
       if (!(t.busy[k] > 0)) continue;
       std::string name = kStageNames[k];
       std::replace(name.begin(), name.end(), '_', ' ');
-      parts += fmt::format("{}{} {:.0f} %", parts.empty() ? " (" : ", ", name, 100 * t.busy[k] / busy);
+      parts +=
+          fmt::format("{}{} {:.0f} %", parts.empty() ? " (" : ", ", name, 100 * t.busy[k] / busy);
     }
     if (!parts.empty()) parts += ")";
     return fmt::format("rebuild {:.1f} s ({} times), tasks {:.1f} s{}, totals {:.1f} s", t.rebuild,
@@ -320,12 +367,13 @@ class Run {
     figures_.threads = stepper_->graph().threads();
     figures_.simd_target = stepper_->target();
     figures_.finished = fine && g_signal == 0 && !stopped_;
-    if (figures_.warnings > 0) {
-      log_warn(fmt::format("{:g} contacts were deeper than half the smaller radius (summed over steps)",
-                           figures_.warnings));
+    if (world_.clock.warnings > 0) {
+      log_warn(
+          fmt::format("{} contacts were deeper than half the smaller radius (summed over steps)",
+                      world_.clock.warnings));
     }
-    if (!fine) return 4;
     recorder_->write_summary(world_, figures_);
+    if (!fine) return 4;
     if (g_signal != 0) {
       log_info(fmt::format("stopped by signal {} at t = {:.6g} s; go on with: quern resume {}",
                            static_cast<int>(g_signal), world_.time(), options_.out));
@@ -337,7 +385,7 @@ class Run {
       log_info(fmt::format("power        {} (torque, energies and their errors in summary.json)",
                            format_power(recorder_->recorded_power())));
     } else {
-      log_info(fmt::format("power        none recorded yet: the record starts at t = {:g} s",
+      log_info(fmt::format("power        no row of the series yet; the record starts at t = {:g} s",
                            record_start(loaded_.scene)));
     }
     log_info(fmt::format(
@@ -353,7 +401,8 @@ class Run {
                            figures_.threads, figures_.simd_target));
     }
     log_info("stages       " + stages_line(figures_.times));
-    log_info(fmt::format("results      {}", fs::absolute(options_.out).lexically_normal().string()));
+    log_info(
+        fmt::format("results      {}", fs::absolute(options_.out).lexically_normal().string()));
     return 0;
   }
 
@@ -371,8 +420,9 @@ class Run {
   bool stopped_ = false;
 };
 
-// Rebuilds take and give back columns of many megabytes. Left to itself the allocator soon keeps such
-// blocks, in pieces, and the run grows by half; above a megabyte each block is mapped and returned.
+// Rebuilds take and give back columns of many megabytes. Left to itself the allocator soon keeps
+// such blocks, in pieces, and the run grows by half; above a megabyte each block is mapped and
+// returned.
 void return_large_blocks() {
   mallopt(M_MMAP_THRESHOLD, 1 << 20);
   mallopt(M_TRIM_THRESHOLD, 1 << 20);
@@ -380,6 +430,8 @@ void return_large_blocks() {
 
 int start(LoadedScene loaded, const RunOptions& options, const std::string& checkpoint) {
   return_large_blocks();
+  std::signal(SIGINT, on_signal);
+  std::signal(SIGTERM, on_signal);
   if (loaded.scene.run.precision == Precision::kDouble) {
     return Run<double>(std::move(loaded), options, checkpoint).go();
   }
@@ -391,12 +443,9 @@ int start(LoadedScene loaded, const RunOptions& options, const std::string& chec
 int run_command(const RunOptions& options) {
   LoadedScene loaded = load_scene(options.scene, options.overrides);
   judge_time_step(loaded);
-  std::error_code error;
-  fs::create_directories(options.out, error);
-  if (error) {
-    throw SystemError(fmt::format("cannot make folder '{}': {}", options.out, error.message()));
-  }
-  std::ofstream(options.out + "/scene.toml") << scene_to_toml(loaded.scene);
+  make_folder("results", options.out);
+  write_text_file("scene", options.out + "/scene.toml", scene_to_toml(loaded.scene),
+                  Durability::kKill);
   return start(std::move(loaded), options, "");
 }
 
@@ -406,11 +455,6 @@ int resume_command(const RunOptions& options) {
   if (!warning.empty()) log_warn(warning);
   const CheckpointHeader header = read_checkpoint_header(path);
   LoadedScene loaded = load_scene_text(header.scene_text, path, options.out);
-  const std::string target = choose_kernels<float>().target;
-  if (header.simd_target != target) {
-    log_warn(fmt::format("the run was computed with {}, this machine has {}: its bits will differ",
-                         header.simd_target, target));
-  }
   RunOptions with_scene = options;
   with_scene.scene = header.scene_name;
   return start(std::move(loaded), with_scene, path);

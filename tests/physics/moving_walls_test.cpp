@@ -203,12 +203,50 @@ TYPED_TEST(MovingWalls, WorkOfAMillIsTheIntegralOfTorqueTimesRate) {
       torque = next;
     }
     ASSERT_GT(integral, 1e-3);
-    // The force before works on the chord that begins at its point, the force now on the one that ends
-    // at its own: what chords differ from w x r cancels but for (w dt)^2 = 4e-9. One chord for both
-    // would give 3e-6, w x r in place of chords 1.3e-4.
+    // The force before works on the chord that begins at its point, the force now on the one that
+    // ends at its own: what chords differ from w x r cancels but for (w dt)^2 = 4e-9. One chord for
+    // both would give 3e-6, w x r in place of chords 1.3e-4.
     const double off = world.ledger.wall_work / integral - 1;
     std::printf("  %s: work over integral - 1 = %.2g\n", ramp ? "ramp" : "constant rate", off);
     EXPECT_NEAR(off, 0, 2e-8);
+  }
+}
+
+// A closed box shakes, turns or travels with the spheres in it; the domain that the walls give
+// reaches wherever they go, so nobody is taken for lost.
+TEST(MovingBox, TakesItsSpheresAlong) {
+  Motion turning, shaking, travelling;
+  turning.kind = MotionKind::kRotation;
+  turning.axis = Vec3::UnitY();
+  turning.center = Vec3(0, 0, -0.1);
+  turning.rate = {{{0, 2 * kPi * 2}}};
+  shaking.kind = MotionKind::kOscillation;
+  shaking.axis = Vec3::UnitX();
+  shaking.amplitude = 0.05;
+  shaking.frequency = 5;
+  travelling.kind = MotionKind::kTranslation;
+  travelling.axis = Vec3::UnitZ();
+  travelling.rate = {{{0, 0}, {0.2, 2}, {0.3, -1}}};
+  for (const Motion& motion : {turning, shaking, travelling}) {
+    Scene scene = small_scene({1e5, 4e4, 0.5, 0.3}, 2e-5);
+    scene.domain = {};
+    scene.run.duration = 0.4;
+    scene.run.gravity = Vec3(0, 0, -9.81);
+    scene.boxes = {{"box", "ore", Vec3::Constant(-0.05), Vec3::Constant(0.05), false, motion}};
+    for (int k = 0; k < 27; ++k) {
+      add_sphere(scene, 0.02, 0.025 * Vec3(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1));  // NOLINT: rows
+    }
+    World<float> world = world_of<float>(scene);
+    Stepper<float> stepper(world, 1);
+    while (world.time() < 0.4) {
+      const StepReport report = stepper.step();
+      ASSERT_EQ(report.bits & kFatalBits, 0u) << world.time();
+    }
+    const Pose pose = pose_at(motion, world.time());
+    for (const Record<float>& r : world.particles.record) {
+      const Vec3 x = pose.rotation.transpose() * (Vec3(r.x, r.y, r.z) - pose.shift);
+      EXPECT_LT(x.cwiseAbs().maxCoeff(), 0.045);
+    }
   }
 }
 

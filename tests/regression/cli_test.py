@@ -7,11 +7,14 @@ usage: QUERN_PROGRAM=build/release/quern cli_test.py [CLASS ...]
 import json
 import os
 import pathlib
+import shutil
 import signal
 import subprocess
 import tempfile
 import time
 import unittest
+
+import h5py
 
 PROGRAM = os.environ["QUERN_PROGRAM"]
 APPS = pathlib.Path(__file__).resolve().parents[2] / "apps"
@@ -208,6 +211,171 @@ class Summary(Case):
         self.out = self.folder / "again"
         self.expect(0, quern("run", scene, "--out", self.out, "--until", 0.2))
         self.assertEqual(self.summary()["state_hash"], first)
+
+
+# Two spheres without gravity, in a domain of their own.
+TWO = """format = 1
+[run]
+duration = "1 ms"
+time_step = "1e-5 s"
+gravity = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
+[domain]
+low = ["-0.1 m", "-0.1 m", "-0.1 m"]
+high = ["0.1 m", "0.1 m", "0.1 m"]
+[materials.ore]
+density = "4500 kg/m^3"
+[contact]
+normal_stiffness = "1e5 N/m"
+tangential_stiffness = "4e4 N/m"
+restitution = 0.5
+sliding_friction = 0.3
+[[walls]]
+name = "floor"
+material = "ore"
+point = ["0 m", "0 m", "-50 mm"]
+normal = [0, 0, 1]
+[[particles]]
+name = "ball"
+material = "ore"
+entries = [
+  { position = ["0 m", "0 m", "0 m"], diameter = "20 mm"%s },
+  { position = ["%s", "0 m", "0 m"], diameter = "20 mm" },
+]
+"""
+
+
+class Failures(Case):
+    """A run that goes wrong says which particle, where and when, and leaves the state before."""
+
+    def run_two(self, motion="", place="30 mm", *more):
+        path = self.folder / "two.toml"
+        path.write_text(TWO % (motion, place), encoding="utf-8")
+        return quern("run", path, "--out", self.out, "--threads", 1, *more)
+
+    def goes_wrong(self, result, *texts):
+        self.expect(4, result, "error:", "t = ", str(self.out / "checkpoint.h5"), *texts)
+        self.assertTrue((self.out / "checkpoint.h5").is_file())
+        summary = self.summary()
+        self.assertFalse(summary["finished"])
+        for text in texts:
+            self.assertIn(text, summary["error"])
+
+    def test_by_leaving_the_domain(self):
+        result = self.run_two(', velocity = ["0 m/s", "300 m/s", "0 m/s"]')
+        self.goes_wrong(result, "left the domain", "particle 0 at (0, 0.1")
+
+    def test_by_an_overlap_of_a_radius(self):
+        # 300 m/s go 3 mm a step: from 5 mm into a radius of 10 mm before the spring turns them.
+        result = self.run_two(', velocity = ["300 m/s", "0 m/s", "0 m/s"]', "25 mm")
+        self.goes_wrong(result, "an overlap reached 1.", "particle 0", "against particle 1")
+        result = self.run_two(', velocity = ["0 m/s", "0 m/s", "-300 m/s"]')
+        self.goes_wrong(result, "an overlap reached 1.", "particle 0", "against wall 'floor'")
+
+    def test_by_a_number_that_is_none(self):
+        result = self.run_two(', velocity = ["1e200 m/s", "0 m/s", "0 m/s"]')
+        self.goes_wrong(result, "not finite", "particle 0")
+
+    def test_leaves_no_figures_of_another_run(self):
+        self.expect(0, self.run_two())
+        self.assertTrue(self.summary()["finished"])
+        self.expect(4, self.run_two(', velocity = ["0 m/s", "300 m/s", "0 m/s"]'))
+        self.assertFalse(self.summary()["finished"])
+
+    def test_deep_overlaps_are_counted_and_warned_of_across_a_resume(self):
+        result = self.run_two("", "14 mm", "--until", "2e-5")
+        self.expect(0, result, "warning:", "deeper than half the smaller radius")
+        before = self.summary()["overlap_warnings"]
+        self.assertGreater(before, 0)
+        self.expect(0, quern("resume", self.out))
+        self.assertGreaterEqual(self.summary()["overlap_warnings"], before)
+
+    def test_few_steps_per_contact_are_warned_of(self):
+        self.expect(0, self.run_two("", "30 mm", "--set", "run.time_step=1.5e-4"), "warning:",
+                    "steps per contact", "20 are advised")
+
+
+class Resume(Case):
+    COLUMN = """format = 1
+[run]
+settle = "%s"
+duration = "0.02 s"
+time_step = "5e-5 s"
+gravity = ["0 m/s^2", "0 m/s^2", "-9.81 m/s^2"]
+[materials.ore]
+density = "4500 kg/m^3"
+[contact]
+normal_stiffness = "1e5 N/m"
+tangential_stiffness = "4e4 N/m"
+restitution = 0.5
+sliding_friction = 0.3
+[[walls]]
+name = "box"
+material = "ore"
+low = ["0 m", "0 m", "0 m"]
+high = ["50 mm", "50 mm", "50 mm"]
+open_top = true
+[fill]
+method = "rain"
+[[particles]]
+name = "ball"
+material = "ore"
+diameter = "10 mm"
+count = 300
+"""
+
+    def column(self, settle):
+        path = self.folder / "column.toml"
+        path.write_text(self.COLUMN % settle, encoding="utf-8")
+        return path
+
+    def test_where_the_filling_reached_beyond_the_walls(self):
+        scene = self.column("none")
+        self.expect(0, quern("run", scene, "--out", self.out))
+        straight = self.summary()["state_hash"]
+        self.out = self.folder / "stopped"
+        self.expect(0, quern("run", scene, "--out", self.out, "--until", 0.01))
+        self.expect(0, quern("resume", self.out))
+        self.assertEqual(self.summary()["state_hash"], straight)
+        start = self.out
+        self.out = self.folder / "from_file"
+        self.expect(0, quern("run", scene, "--out", self.out, "--set", "run.start=file",
+                             "--set", f"run.start_file={start}"))
+        # The state that it began from is needed no more.
+        shutil.rmtree(start)
+        self.expect(0, quern("resume", self.out))
+
+    def test_during_settling_ends_as_a_straight_run(self):
+        scene = self.column("until-rest")
+        # A long bounce: settling ends by its limit, which depends on how far the charge may fall.
+        rough = ["--set", "contact.restitution=1", "--set", "contact.sliding_friction=0",
+                 "--set", "walls.box.open_top=false",
+                 "--set", "particles.ball.count=20", "--threads", "1"]
+        self.expect(0, quern("run", scene, "--out", self.out, *rough))
+        straight = self.summary()["state_hash"]
+        self.out = self.folder / "stopped"
+        process = subprocess.Popen([PROGRAM, "run", str(scene), "--out", str(self.out), *rough],
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.addCleanup(process.kill)
+        while not (self.out / "checkpoint.h5").is_file():
+            time.sleep(0.002)
+        process.send_signal(signal.SIGTERM)
+        self.assertEqual(process.wait(timeout=60), 0)
+        self.assertFalse(self.summary()["finished"])
+        self.expect(0, quern("resume", self.out))
+        self.assertEqual(self.summary()["state_hash"], straight)
+
+    def test_of_another_precision_ends_with_2(self):
+        self.expect(0, quern("run", BOUNCE, "--out", self.out, "--until", 0.01))
+        self.expect(2, quern("run", BOUNCE, "--out", self.folder / "double",
+                             "--set", "run.precision=double", "--set", "run.start=file",
+                             "--set", f"run.start_file={self.out}"), "start_file", "double", "mixed")
+
+    def test_checkpoints_at_the_end_only_if_asked(self):
+        self.expect(0, quern("run", BOUNCE, "--out", self.out, "--until", 0.05,
+                             "--set", "output.checkpoint_every=0"))
+        # The one before the last is that of the beginning.
+        with h5py.File(self.out / "checkpoint.previous.h5") as file:
+            self.assertEqual(file.attrs["step"], 0)
 
 
 class Signals(Case):
