@@ -104,6 +104,7 @@ Shape lay_out_shape(const Polyhedron& body, const std::string& name) {
   lay_out_planes(body, shape);
   lay_out_faces(body, shape);
   lay_out_edges(body, shape);
+  set_vertex_edges(shape);
   set_edge_lanes(shape);
   return shape;
 }

@@ -13,6 +13,7 @@
 //   edge lanes  edge_at x,y,z: the first vertex, edge_side: from there to the second, and 1 / side^2,
 //             padded to kShapePad by repeating edge 0; made from the rest by set_edge_lanes()
 //   vertex_faces  per vertex `face_words` words of 64 bits: the faces around it
+//   vertex_edges  likewise `edge_words` words: the edges at it; made by set_vertex_edges()
 #pragma once
 
 #include <string>
@@ -44,8 +45,8 @@ struct Shape {
   Column<std::uint16_t> face_begin, face_vertex, face_edge;
   Column<std::uint16_t> edge_vertex, edge_face;
   Column<double> edge_at[3], edge_side[3], edge_inverse2;
-  Column<std::uint64_t> vertex_faces;
-  Index face_words = 1;
+  Column<std::uint64_t> vertex_faces, vertex_edges;
+  Index face_words = 1, edge_words = 1;
   double bound_radius = 0;  // farthest vertex
   double inner_radius = 0;  // nearest plane
   Vec3 inertia = Vec3::Zero();  // principal moments over m r^2
@@ -79,6 +80,18 @@ inline void set_edge_lanes(Shape& s) {
     }
     QUERN_CHECK(side.squaredNorm() > 0);
     s.edge_inverse2[lane] = 1 / side.squaredNorm();
+  }
+}
+
+// Once the edges are known.
+inline void set_vertex_edges(Shape& s) {
+  s.edge_words = (s.edges + 63) / 64;
+  s.vertex_edges.reset(std::size_t{s.vertices} * s.edge_words);
+  s.vertex_edges.fill(0);
+  for (std::size_t e = 0; e < s.edges; ++e) {
+    for (const std::size_t v : {s.edge_vertex[2 * e], s.edge_vertex[2 * e + 1]}) {
+      s.vertex_edges[v * s.edge_words + e / 64] |= std::uint64_t{1} << e % 64;
+    }
   }
 }
 

@@ -191,6 +191,8 @@ TEST(PolyhedronTargets, AgreeWithTheScalarTwin) {
     shapes.push_back(rock_of_points(k, 22));
   }
   for (const int faces : {4, 5, 7, 9, 16, 17, 25, 30}) shapes.push_back(rock_of_planes(9, faces));
+  // Sets of several words.
+  for (const int points : {63, 65, 182}) shapes.push_back(rock_of_points(9, points));
   std::mt19937_64 random(7);
   std::vector<std::pair<ShapePose, ShapePose>> pairs;
   for (int k = 0; k < 300; ++k) {

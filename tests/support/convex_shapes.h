@@ -107,6 +107,7 @@ inline Shape shape_of(const std::string& name, const std::vector<Vec3>& vertices
   set_vertices(s, vertices);
   set_planes(s, faces);
   set_edges(s, faces);
+  set_vertex_edges(s);
   set_edge_lanes(s);
   return s;
 }

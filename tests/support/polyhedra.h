@@ -98,6 +98,7 @@ inline Shape make_shape(const std::string& name, const std::vector<Vec3>& vertex
       shape.vertex_faces[v * shape.face_words + f / 64] |= 1ull << (f % 64);
     }
   }
+  set_vertex_edges(shape);
   shape.inner_radius = *std::min_element(offset.begin(), offset.end());
   for (const Vec3& v : vertex) shape.bound_radius = std::max(shape.bound_radius, v.norm());
   return shape;

@@ -368,6 +368,16 @@ TEST_P(ShapeLayout, VerticesNameTheFacesAroundThem) {
     }
 }
 
+TEST_P(ShapeLayout, VerticesNameTheEdgesAtThem) {
+  const Shape shape = shape_of(body(GetParam()));
+  ASSERT_EQ(shape.edge_words, (shape.edges + 63) / 64);
+  for (Index v = 0; v < shape.vertices; ++v)
+    for (Index e = 0; e < shape.edges; ++e) {
+      const bool named = shape.vertex_edges[v * shape.edge_words + e / 64] >> e % 64 & 1;
+      EXPECT_EQ(named, shape.edge_vertex[2 * e] == v || shape.edge_vertex[2 * e + 1] == v);
+    }
+}
+
 TEST_P(ShapeLayout, PaddingIsHarmless) {
   const Shape shape = shape_of(body(GetParam()));
   for (std::size_t v = shape.vertices; v < shape.padded_vertices(); ++v)
