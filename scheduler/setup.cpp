@@ -212,31 +212,39 @@ LawColumns<Real> law_columns(const Scene& scene, const std::vector<PairValues>& 
   return law;
 }
 
+// What comes in between two steps has the velocity it is given now; a running world keeps those of half
+// a step before.
+template <class Real>
+Vec3 stored_velocity(const World<Real>& world, const ParticleSeed& seed) {
+  if (world.clock.first_kick != 0) return seed.velocity;
+  return seed.velocity - 0.5 * world.clock.dt * world.gravity;
+}
+
+// It brings its energy along; gravity works on it from now on, though the next step counts the whole
+// step that ends now.
+template <class Real>
+void open_account(World<Real>& world, const ParticleSeed& seed, double mass, double spinning) {
+  if (world.ledger.open == 0) return;
+  const Vec3 stored = stored_velocity(world, seed);
+  world.ledger.start_kinetic += 0.5 * mass * stored.dot(2 * seed.velocity - stored) + spinning;
+  world.ledger.gravity_work -= world.clock.dt * mass * world.gravity.dot(stored);
+}
+
 template <class Real>
 void append_sphere(World<Real>& world, const Scene& scene, const ParticleSeed& seed,
                    std::size_t k) {
   Particles<Real>& p = world.particles;
   const Real radius = static_cast<Real>(seed.radius);
-  p.record[k] = {seed.position.x(),
-                 seed.position.y(),
-                 seed.position.z(),
-                 seed.velocity.x(),
-                 seed.velocity.y(),
-                 seed.velocity.z(),
-                 static_cast<Real>(seed.spin.x()),
-                 static_cast<Real>(seed.spin.y()),
-                 static_cast<Real>(seed.spin.z()),
-                 radius};
+  const Vec3 velocity = stored_velocity(world, seed);
+  p.record[k] = {seed.position.x(), seed.position.y(), seed.position.z(),
+                 velocity.x(), velocity.y(), velocity.z(),
+                 static_cast<Real>(seed.spin.x()), static_cast<Real>(seed.spin.y()),
+                 static_cast<Real>(seed.spin.z()), radius};
   const double mass =
       scene.materials[seed.material].density * sphere_volume(static_cast<double>(radius));
   p.traits[k].inverse_mass = static_cast<Real>(1 / mass);
   world.total_mass += 1 / static_cast<double>(p.traits[k].inverse_mass);
-  // What comes in with a velocity brings its energy along.
-  if (world.ledger.open != 0) {
-    const double inertia = 0.4 * mass * seed.radius * seed.radius;
-    world.ledger.start_kinetic +=
-        0.5 * (mass * seed.velocity.squaredNorm() + inertia * seed.spin.squaredNorm());
-  }
+  open_account(world, seed, mass, 0.2 * mass * seed.radius * seed.radius * seed.spin.squaredNorm());
   p.traits[k].tag = make_tag(seed.material, 0);
   p.id[k] = static_cast<Index>(k);
   p.species[k] = seed.species;
@@ -271,7 +279,7 @@ void append_polyhedron(World<Real>& world, const Scene& scene, const ParticleSee
   const Mat3 turn = seed.orientation.toRotationMatrix();
   const Vec3 momentum = turn * inertia.cwiseProduct(turn.transpose() * seed.spin);
   put(seed.position, p.x[k], p.y[k], p.z[k]);
-  put(seed.velocity, p.vx[k], p.vy[k], p.vz[k]);
+  put(stored_velocity(world, seed), p.vx[k], p.vy[k], p.vz[k]);
   p.qw[k] = seed.orientation.w();
   put(seed.orientation.vec(), p.qx[k], p.qy[k], p.qz[k]);
   put(momentum, p.lx[k], p.ly[k], p.lz[k]);
@@ -286,10 +294,7 @@ void append_polyhedron(World<Real>& world, const Scene& scene, const ParticleSee
   p.list_x[k] = p.list_y[k] = p.list_z[k] = 0;
   p.list_vx[k] = p.list_vy[k] = p.list_vz[k] = 0;
   world.total_mass += mass;
-  if (world.ledger.open != 0) {
-    world.ledger.start_kinetic +=
-        0.5 * (mass * seed.velocity.squaredNorm() + momentum.dot(seed.spin));
-  }
+  open_account(world, seed, mass, 0.5 * momentum.dot(seed.spin));
 }
 
 std::size_t count_spheres(std::span<const ParticleSeed> seeds) {
