@@ -349,7 +349,7 @@ void fields(Io& io, ParticleSpec& species) {
   io({"filling_level", "bulk volume (porosity 0.4) over the mill's volume", kShare,
       Range::kFraction},
      species.filling_level);
-  io({"csv", "file of particles: x,y,z,diameter[,vx,vy,vz,wx,wy,wz] in SI"}, species.csv);
+  io({"csv", "file of particles: x,y,z,diameter[,vx,vy,vz,wx,wy,wz][,class] in SI"}, species.csv);
   io.rows({"sizes", "size classes, uniform from..to in each"}, species.sizes);
   if (species.distribution.kind != DistributionKind::kNone || Io::kWantsAll)
     io.table({"distribution", "sizes by mass"}, species.distribution);
