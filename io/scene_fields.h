@@ -104,7 +104,8 @@ void fields(Io& io, RunSpec& run) {
       "polyhedra",
       kTime, Range::kNotNegative},
      run.relax);
-  io({"precision", "of forces and velocities; positions are always double"}, run.precision);
+  io({"precision", "of forces and springs; places, velocities and spins are always double"},
+     run.precision);
   io({"tile_size", "particles per tile; default: a 32nd of all, 512 to 2048", kNumber,
       Range::kPositive},
      run.tile_size);
