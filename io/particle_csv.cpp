@@ -15,9 +15,10 @@ namespace quern {
 namespace {
 
 constexpr std::size_t kMostErrors = 20;
-const std::vector<std::string> kColumns = {"x",  "y",  "z",  "diameter", "vx",
-                                           "vy", "vz", "wx", "wy",       "wz"};
+const std::vector<std::string> kColumns = {"x",  "y",  "z",  "diameter", "vx",   "vy",
+                                           "vz", "wx", "wy", "wz",       "class"};
 constexpr std::size_t kNeeded = 4;  // the first of them
+constexpr std::size_t kClass = 10;  // the others are numbers
 
 std::vector<std::string> split_line(const std::string& line) {
   std::vector<std::string> fields;
@@ -37,7 +38,9 @@ std::vector<std::string> split_line(const std::string& line) {
 
 class CsvReader {
  public:
-  explicit CsvReader(const std::string& path) : path_(path) {}
+  CsvReader(const std::string& path, const std::string& own,
+            const std::vector<std::string>& sharing)
+      : path_(path), own_(own), sharing_(sharing) {}
 
   ParticleCsv read() {
     std::ifstream file(path_);
@@ -70,6 +73,10 @@ class CsvReader {
       result_.errors.push_back(fmt::format("{}:{}: error: {}", path_, line_, what));
   }
 
+  bool has_column(std::size_t column) const {
+    return std::find(columns_.begin(), columns_.end(), column) != columns_.end();
+  }
+
   bool read_header(const std::vector<std::string>& names) {
     for (const std::string& name : names) {
       const auto found = std::find(kColumns.begin(), kColumns.end(), name);
@@ -77,24 +84,35 @@ class CsvReader {
       if (found == kColumns.end())
         fail(fmt::format("'{}' is no column{} ({})", name, did_you_mean(name, kColumns),
                          fmt::join(kColumns, ", ")));
-      else if (std::find(columns_.begin(), columns_.end(), index) != columns_.end())
+      else if (has_column(index))
         fail(fmt::format("column '{}' is there twice", name));
       columns_.push_back(index);
     }
     for (std::size_t k = 0; k < kNeeded; ++k)
-      if (std::find(columns_.begin(), columns_.end(), k) == columns_.end())
-        fail(fmt::format("the header needs a column '{}'", kColumns[k]));
+      if (!has_column(k)) fail(fmt::format("the header needs a column '{}'", kColumns[k]));
+    if (sharing_.size() > 1 && !has_column(kClass))
+      fail(fmt::format("the header needs a column 'class': several particles take this file ({})",
+                       fmt::join(sharing_, ", ")));
     return count_ == 0;
   }
 
   void read_row(const std::vector<std::string>& row) {
     if (row.size() != columns_.size())
       return fail(fmt::format("{} values, the header has {} columns", row.size(), columns_.size()));
-    double value[10] = {};
-    for (std::size_t k = 0; k < row.size(); ++k)
-      if (!parse_number(row[k], value[columns_[k]]))
+    double value[kClass] = {};
+    bool wanted = true;
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      if (columns_[k] == kClass) {
+        if (std::find(sharing_.begin(), sharing_.end(), row[k]) == sharing_.end())
+          return fail(fmt::format("class: no particles '{}' take this file{} ({})", row[k],
+                                  did_you_mean(row[k], sharing_), fmt::join(sharing_, ", ")));
+        wanted = row[k] == own_;
+      } else if (!parse_number(row[k], value[columns_[k]])) {
         return fail(fmt::format("{}: '{}' is no number", kColumns[columns_[k]], row[k]));
+      }
+    }
     if (value[3] <= 0) return fail("diameter: must be greater than 0");
+    if (!wanted) return;
     ExplicitParticle particle;
     particle.position = {value[0], value[1], value[2]};
     particle.velocity = {value[4], value[5], value[6]};
@@ -103,7 +121,8 @@ class CsvReader {
     result_.particles.push_back(particle);
   }
 
-  std::string path_;
+  const std::string &path_, &own_;
+  const std::vector<std::string>& sharing_;
   ParticleCsv result_;
   std::vector<std::size_t> columns_;  // of the file, as rows of kColumns
   std::size_t line_ = 0, count_ = 0;
@@ -111,6 +130,9 @@ class CsvReader {
 
 }  // namespace
 
-ParticleCsv read_particle_csv(const std::string& path) { return CsvReader(path).read(); }
+ParticleCsv read_particle_csv(const std::string& path, const std::string& own,
+                              const std::vector<std::string>& sharing) {
+  return CsvReader(path, own, sharing).read();
+}
 
 }  // namespace quern

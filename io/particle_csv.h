@@ -1,6 +1,8 @@
 // Particles from a CSV file: a header line that names the columns (any order), then one line a
 // particle, numbers in SI. Columns: x, y, z, diameter (needed), vx, vy, vz, wx, wy, wz (0 if
-// absent). Empty lines and lines that begin with # are skipped.
+// absent), class (a species' name). Several species may share a file that has classes: each takes
+// its own rows, and every row must belong to one of them. Empty lines and lines that begin with #
+// are skipped.
 #pragma once
 
 #include <string>
@@ -15,6 +17,9 @@ struct ParticleCsv {
   std::vector<std::string> errors;  // "file:line: error: ...", at most 20 and a count of the rest
 };
 
-ParticleCsv read_particle_csv(const std::string& path);
+// The particles of the species `own`; `sharing`: the names of all species that take the file, `own`
+// among them. What is wrong is told of all rows.
+ParticleCsv read_particle_csv(const std::string& path, const std::string& own,
+                              const std::vector<std::string>& sharing);
 
 }  // namespace quern

@@ -215,13 +215,13 @@ void check_coefficient(const SceneCheck& check, const char* name, Coefficient of
 
 void warn_restitution(const SceneCheck& check, const std::string& path,
                       const std::optional<double>& restitution) {
-  constexpr double kLeastClamped = 0.135;  // what a clamped dashpot delivers at any damping
+  constexpr double kLeastClamped = 0.135;  // of critical damping, the most that is used
   if (check.scene.contact.normal_force == NormalForce::kClamped && restitution &&
       *restitution < kLeastClamped)
     check.context.messages.warning(
         check.context.trace.place(path),
-        fmt::format("'restitution': {} cannot be reached with normal_force = \"clamped\", "
-                    "which delivers {} at least",
+        fmt::format("'restitution': {} is not reached with normal_force = \"clamped\": damping "
+                    "ends at critical, which delivers {}",
                     *restitution, kLeastClamped));
 }
 

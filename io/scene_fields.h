@@ -106,7 +106,8 @@ void fields(Io& io, RunSpec& run) {
       "polyhedra",
       kTime, Range::kNotNegative},
      run.relax);
-  io({"precision", "of forces and velocities; positions are always double"}, run.precision);
+  io({"precision", "of forces and springs; places, velocities and spins are always double"},
+     run.precision);
   io({"tile_size", "particles per tile; default: a 32nd of all, 512 to 2048", kNumber,
       Range::kPositive},
      run.tile_size);
@@ -351,7 +352,7 @@ void fields(Io& io, ParticleSpec& species) {
   io({"filling_level", "bulk volume (porosity 0.4) over the mill's volume", kShare,
       Range::kFraction},
      species.filling_level);
-  io({"csv", "file of particles: x,y,z,diameter[,vx,vy,vz,wx,wy,wz] in SI"}, species.csv);
+  io({"csv", "file of particles: x,y,z,diameter[,vx,vy,vz,wx,wy,wz][,class] in SI"}, species.csv);
   io.rows({"sizes", "size classes, uniform from..to in each"}, species.sizes);
   if (species.distribution.kind != DistributionKind::kNone || Io::kWantsAll)
     io.table({"distribution", "sizes by mass"}, species.distribution);

@@ -161,9 +161,18 @@ void check_entries(const SceneCheck& check, const std::string& path, ParticleSpe
 void load_csv(const SceneCheck& check, const std::string& path, ParticleSpec& species) {
   check.file(path + ".csv", species.csv);
   if (species.csv.empty() || !check.good({path + ".csv"})) return;
-  ParticleCsv csv =
-      read_particle_csv((std::filesystem::path(check.scene.folder) / species.csv).string());
+  const auto full = [&](const std::string& file) {
+    return (std::filesystem::path(check.scene.folder) / file).lexically_normal().string();
+  };
+  std::vector<std::string> sharing;
+  for (const ParticleSpec& other : check.scene.particles)
+    if (full(other.csv) == full(species.csv)) sharing.push_back(other.name);
+  ParticleCsv csv = read_particle_csv(full(species.csv), species.name, sharing);
   for (const std::string& line : csv.errors) check.context.messages.other_file(line);
+  if (csv.errors.empty() && csv.particles.empty())
+    check.error(path + ".csv",
+                fmt::format("'csv': '{}' has no particles{}", species.csv,
+                            sharing.size() > 1 ? fmt::format(" of class '{}'", species.name) : ""));
   species.explicit_particles = std::move(csv.particles);
 }
 

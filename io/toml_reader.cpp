@@ -224,7 +224,12 @@ void Messages::error(const Place& place, const std::string& text) {
 }
 
 void Messages::warning(const Place& place, const std::string& text) {
-  warnings_.push_back({place, "warning: " + text});
+  warnings_.push_back({place, text});
+}
+
+void Messages::other_file(const std::string& line) {
+  if (std::find(other_files_.begin(), other_files_.end(), line) == other_files_.end())
+    other_files_.push_back(line);
 }
 
 std::string Messages::prefix(const Place& place) const {

@@ -53,10 +53,11 @@ class Messages {
       : file_(std::move(file)), overrides_(std::move(overrides)) {}
   void error(const Place& place, const std::string& text);
   void warning(const Place& place, const std::string& text);
-  void other_file(const std::string& line) { other_files_.push_back(line); }  // complete, as it is
+  void other_file(const std::string& line);  // complete, as it is; once, if several say it
   bool any_error() const { return !errors_.empty() || !other_files_.empty(); }
   // In the order of the file, then overrides, then what is wrong in other files.
   std::vector<std::string> errors() const;
+  // Without the word "warning", which log_warn() puts before them.
   std::vector<std::string> warnings() const { return sorted(warnings_); }
 
  private:

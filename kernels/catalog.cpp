@@ -10,7 +10,7 @@ std::vector<CatalogEntry> contact_catalog() {
        "linear springs with tangential history, Coulomb friction, implicit damping (Xie et al. 2021, "
        "Eqs 3-7)",
        {{"normal_stiffness", "N/m", "", "> 0", "k_n of the pair of materials"},
-        {"tangential_stiffness", "N/m", "", ">= 0", "k_t of the pair"},
+        {"tangential_stiffness", "N/m", "", "> 0", "k_t of the pair"},
         {"restitution", "1", "", "(0, 1]", "delivered normal coefficient of restitution"},
         {"sliding_friction", "1", "", ">= 0", "Coulomb coefficient mu"},
         {"rolling_friction", "1", "0", ">= 0", "mu_r, spheres only (Zhou et al. 1999)"},
@@ -26,7 +26,7 @@ std::vector<CatalogEntry> contact_catalog() {
        {{"overlap", "", "chord", "chord | width", "way out along the normal, or extent of the overlap"},
         {"normal_model", "", "stiffness", "stiffness | volume",
          "force = stiffness x overlap, or the gradient of the overlap volume"},
-        {"volume_stiffness", "Pa", "k_n / smaller radius", "> 0",
+        {"volume_stiffness", "Pa", "stiffness / smaller radius", "> 0",
          "force = this x area; normal_model volume only"},
         {"patch_damping", "", "true", "true | false", "dashpots against rocking and drilling"}}},
       {"pair type", "polyhedron-facet",

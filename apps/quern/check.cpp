@@ -62,22 +62,37 @@ void print_steps(const LoadedScene& loaded) {
   }
   const TrialSpec spec = finest_class_trial(loaded.scene);
   const StabilityTrial trial = measure_stability(loaded.scene, spec);
-  log_info(fmt::format("limit        a dense packing of spheres of {:g}-{:g} mm stayed at rest down to "
-                       "{:g} steps per contact (measured)",
-                       1e3 * spec.from, 1e3 * spec.to, trial.limit));
+  const std::string found =
+      trial.limit > 0
+          ? fmt::format("stayed at rest down to {:g} steps per contact", trial.limit)
+          : fmt::format(
+                "did not come to rest at any step tried, not even at {:g} steps per contact",
+                spec.steps_per_contact.front());
+  log_info(fmt::format("limit        a dense packing of spheres of {:g}-{:g} mm {} (measured)",
+                       1e3 * spec.from, 1e3 * spec.to, found));
+}
+
+void print_walls(const Facets& facets) {
+  const FacetReport& r = facets.report;
+  std::string faults;
+  const auto add = [&](Index count, const char* what) {
+    if (count > 0) faults += fmt::format(", {} {}", count, what);
+  };
+  add(r.duplicates, "dropped as duplicates");
+  add(r.flipped_edges, "edges between triangles that face opposite ways");
+  add(r.non_manifold_edges, "edges of more than two triangles");
+  log_info(
+      fmt::format("walls        {} triangles, {} edges; {} without area, {} welded corners, "
+                  "{} split edges, {} open edges{}",
+                  facets.triangles(), facets.edges(), r.zero_area, r.welded_vertices, r.split_edges,
+                  r.boundary_edges, faults));
 }
 
 template <class Real>
 void print_cost(LoadedScene& loaded, int threads) {
   std::vector<ParticleSeed> seeds = loaded.seeds;
   SceneGeometry geometry = build_geometry(loaded.scene, loaded.meshes, seeds);
-  for (const Body& body : geometry.bodies) {
-    const FacetReport& r = body.facets.report;
-    log_info(fmt::format("walls        {} triangles, {} edges; {} without area, {} welded corners, "
-                         "{} split edges, {} open edges",
-                         body.facets.triangles(), body.facets.edges(), r.zero_area,
-                         r.welded_vertices, r.split_edges, r.boundary_edges));
-  }
+  for (const Body& body : geometry.bodies) print_walls(body.facets);
   const FillReport fill = place_particles(loaded.scene, geometry.facets(), seeds);
   log_info(fmt::format("placing      {:.1f} s, solid fraction {:.3f}", fill.seconds, fill.fraction));
   include_fill(loaded.scene, fill.low, fill.high, geometry);

@@ -1,14 +1,15 @@
 #include "apps/quern/recorder.h"
 
+#include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 
 #include "io/scene_reader.h"
 #include "io/statistics.h"
+#include "kernels/contact.h"
 #include "scheduler/phases.h"
 #include "scheduler/snapshot.h"
 #include "soa/hash.h"
@@ -73,6 +74,15 @@ double time_of_revolution(Scene scene, double revolutions) {
   return run_duration(scene, kFine);
 }
 
+const char* precision_name(const Scene& scene) {
+  return scene.run.precision == Precision::kDouble ? "double" : "mixed";
+}
+
+const char* target_name(const Scene& scene) {
+  return scene.run.precision == Precision::kDouble ? choose_kernels<double>().target
+                                                   : choose_kernels<float>().target;
+}
+
 std::string host_name() {
   char name[256] = "unknown";
   gethostname(name, sizeof name - 1);
@@ -121,6 +131,8 @@ Recorder::Recorder(const std::string& folder, const Scene& scene, double dt,
     series_.provenance("version", QUERN_VERSION);
     series_.provenance("commit", QUERN_COMMIT);
     series_.provenance("machine", host_name());
+    series_.provenance("simd_target", target_name(scene));
+    series_.provenance("precision", precision_name(scene));
   }
 }
 
@@ -226,11 +238,12 @@ void Recorder::write_summary(World<Real>& world, const RunFigures& figures) {
   }
   s.set("threads", figures.threads);
   s.set("simd_target", figures.simd_target);
-  s.set("precision", scene_.run.precision == Precision::kDouble ? "double" : "mixed");
+  s.set("precision", precision_name(scene_));
   s.set("seed", scene_.run.seed);
   s.set("version", QUERN_VERSION);
   s.set("commit", QUERN_COMMIT);
   s.write(folder_ + "/summary.json");
+  series_.provenance("threads", std::to_string(figures.threads));
   write_tables(world, f);
 }
 

@@ -4,7 +4,8 @@
 usage: read_results.py RUN_FOLDER        (needs python3-h5py)
 
 Looks into run.h5 (series, tables, texts, provenance), summary.json, and the frames with their
-series files. Every dataset must carry a unit; texts have none. All series must be equally long.
+series files. Every dataset must carry a unit; texts have none. All series must be equally long;
+what the summary says of the run as well, the provenance must repeat.
 Prints name, shape, type and unit of each; exits 1 and names the fault otherwise.
 """
 
@@ -13,6 +14,8 @@ import os
 import sys
 
 import h5py
+
+PROVENANCE = ("version", "commit", "machine", "threads", "simd_target", "precision")
 
 faults = []
 
@@ -44,7 +47,7 @@ def list_datasets(path, file, needs_unit=True):
 def check_run(folder):
     path = os.path.join(folder, "run.h5")
     if not check(os.path.isfile(path), f"{path}: missing"):
-        return
+        return {}
     print(path)
     with h5py.File(path, "r") as file:
         list_datasets(path, file)
@@ -59,12 +62,16 @@ def check_run(folder):
             for name, item in series.items():
                 check(item.attrs.get("doc"), f"{path}: series/{name} has no doc")
         if check("provenance" in file, f"{path}: no provenance"):
-            for name, value in file["provenance"].attrs.items():
-                print(f"  provenance {name} = {text_of(value)}")
-            check(len(file["provenance"].attrs) > 0, f"{path}: provenance is empty")
+            found = {name: text_of(value) for name, value in file["provenance"].attrs.items()}
+            for name, value in found.items():
+                print(f"  provenance {name} = {value}")
+            for name in PROVENANCE:
+                check(found.get(name), f"{path}: provenance has no '{name}'")
+            return found
+    return {}
 
 
-def check_summary(folder):
+def check_summary(folder, provenance):
     path = os.path.join(folder, "summary.json")
     if not check(os.path.isfile(path), f"{path}: missing"):
         return
@@ -73,6 +80,8 @@ def check_summary(folder):
     print(path)
     for name, value in summary.items():
         print(f"  {name} = {value}")
+        said = provenance.get(name, str(value))
+        check(said == str(value), f"{path}: {name} is {value}, in the provenance {said}")
 
 
 def check_frames(folder):
@@ -102,8 +111,8 @@ def check_frames(folder):
 def main():
     if len(sys.argv) != 2:
         sys.exit(__doc__)
-    check_run(sys.argv[1])
-    check_summary(sys.argv[1])
+    provenance = check_run(sys.argv[1])
+    check_summary(sys.argv[1], provenance)
     check_frames(sys.argv[1])
     for fault in faults:
         print(f"error: {fault}", file=sys.stderr)

@@ -9,6 +9,10 @@
 namespace quern {
 namespace {
 
+ParticleCsv read_of_ore(const std::string& path, const Lines& sharing = {"ore"}) {
+  return read_particle_csv(path, "ore", sharing);
+}
+
 // --- quantities
 
 TEST(Quantity, ConvertsEveryKindOfUnit) {
@@ -77,7 +81,7 @@ TEST(Quantity, WritesTextThatReadsBackToTheSameNumber) {
 
 TEST(ParticleCsv, ReadsColumnsInAnyOrder) {
   const TestFolder folder;
-  const ParticleCsv csv = read_particle_csv(
+  const ParticleCsv csv = read_of_ore(
       folder.write("p.csv", "# made by hand\r\ndiameter, z, y, x, wz\r\n0.01, 3, 2, 1, 5\r\n\r\n"));
   ASSERT_EQ(csv.errors, Lines{});
   ASSERT_EQ(csv.particles.size(), 1u);
@@ -94,7 +98,7 @@ TEST(ParticleCsv, ReportsEveryBadLine) {
       path + ":3: error: 3 values, the header has 4 columns",
       path + ":4: error: z: 'a' is no number", path + ":5: error: diameter: must be greater than 0",
       path + ":6: error: z: 'nan' is no number", path + ":7: error: z: '1.5.2' is no number"};
-  EXPECT_EQ(read_particle_csv(path).errors, expected);
+  EXPECT_EQ(read_of_ore(path).errors, expected);
 }
 
 TEST(ParticleCsv, ReportsABadHeader) {
@@ -103,10 +107,10 @@ TEST(ParticleCsv, ReportsABadHeader) {
   const Lines expected = {
       path +
           ":1: error: 'diametr' is no column - did you mean 'diameter'? (x, y, z, diameter, vx, "
-          "vy, vz, wx, wy, wz)",
+          "vy, vz, wx, wy, wz, class)",
       path + ":1: error: column 'x' is there twice",
       path + ":1: error: the header needs a column 'diameter'"};
-  EXPECT_EQ(read_particle_csv(path).errors, expected);
+  EXPECT_EQ(read_of_ore(path).errors, expected);
 }
 
 TEST(ParticleCsv, ErrorsReachTheSceneThatNamesTheFile) {
@@ -117,6 +121,70 @@ TEST(ParticleCsv, ErrorsReachTheSceneThatNamesTheFile) {
                   "mill.toml", folder.path.string());
   EXPECT_EQ(result.errors, Lines{(folder.path / "p.csv").string() +
                                  ":2: error: 3 values, the header has 4 columns"});
+}
+
+const char* const kMixture =
+    "x,y,z,class,diameter\n0,0,1,ore,0.01\n0,0,2,ball,0.02\n0,0,3,ore,0.03\n";
+
+TEST(ParticleCsv, GivesEachSpeciesTheRowsOfItsClass) {
+  const TestFolder folder;
+  const std::string path = folder.write("p.csv", kMixture);
+  const ParticleCsv ore = read_of_ore(path, {"ball", "ore"});
+  ASSERT_EQ(ore.errors, Lines{});
+  ASSERT_EQ(ore.particles.size(), 2u);
+  EXPECT_EQ(ore.particles[0].diameter, 0.01);
+  EXPECT_EQ(ore.particles[1].position, Vec3(0, 0, 3));
+}
+
+TEST(ParticleCsv, RefusesAClassThatNoSpeciesTakes) {
+  const TestFolder folder;
+  const std::string path =
+      folder.write("p.csv", "class,x,y,z,diameter\nbal,0,0,1,0.01\n,0,0,2,0.02\n");
+  const Lines expected = {
+      path +
+          ":2: error: class: no particles 'bal' take this file - did you mean 'ball'? (ball, ore)",
+      path + ":3: error: class: no particles '' take this file (ball, ore)"};
+  EXPECT_EQ(read_of_ore(path, {"ball", "ore"}).errors, expected);
+}
+
+TEST(ParticleCsv, NeedsClassesWhereSeveralSpeciesShareIt) {
+  const TestFolder folder;
+  const std::string path = folder.write("p.csv", "x,y,z,diameter\n0,0,1,0.01\n");
+  EXPECT_EQ(
+      read_of_ore(path, {"ball", "ore"}).errors,
+      Lines{path + ":1: error: the header needs a column 'class': several particles take this "
+                   "file (ball, ore)"});
+}
+
+// The good scene with its ore and balls from one file.
+std::string scene_of_mixture() {
+  return changed(changed(kGoodScene, "diameter = \"13.75 mm\"\ncount = 300", "csv = \"p.csv\""),
+                 "diameter = \"18 mm\"\ncount = 80", "csv = \"./p.csv\"");
+}
+
+TEST(ParticleCsv, IsSharedByTheSpeciesOfAScene) {
+  const TestFolder folder;
+  folder.write("p.csv", kMixture);
+  const SceneResult result = parse_scene(scene_of_mixture(), "mill.toml", folder.path.string());
+  ASSERT_EQ(result.errors, Lines{});
+  ASSERT_EQ(result.scene.particles[0].name, "ore");
+  EXPECT_EQ(result.scene.particles.front().explicit_particles.size(), 2u);
+  ASSERT_EQ(result.scene.particles.back().explicit_particles.size(), 1u);
+  EXPECT_EQ(result.scene.particles.back().explicit_particles[0].diameter, 0.02);
+}
+
+TEST(ParticleCsv, SaysOnceWhatIsWrongInASharedFile) {
+  const TestFolder folder;
+  const std::string path = folder.write("p.csv", changed(kMixture, "ball", "steel"));
+  const SceneResult wrong = parse_scene(scene_of_mixture(), "mill.toml", folder.path.string());
+  EXPECT_EQ(wrong.errors,
+            Lines{path + ":3: error: class: no particles 'steel' take this file (ore, ball)"});
+  folder.write("p.csv", "x,y,z,diameter,class\n0,0,1,0.01,ore\n");
+  const SceneResult none = parse_scene(scene_of_mixture(), "mill.toml", folder.path.string());
+  ASSERT_EQ(none.errors.size(), 1u);
+  EXPECT_TRUE(
+      none.errors[0].ends_with(": error: 'csv': './p.csv' has no particles of class 'ball'"))
+      << none.errors[0];
 }
 
 }  // namespace

@@ -105,17 +105,16 @@ TEST(SceneReader, SaysSoOfAnEmptyScene) {
 TEST(SceneReader, WarnsOfARestitutionThatClampedContactsCannotReach) {
   const std::string low = changed(kGoodScene, "restitution = 0.6", "restitution = 0.1");
   EXPECT_EQ(parse(low).warnings,
-            Lines{"mill.toml:19:15: warning: 'restitution': 0.1 cannot be reached with "
-                  "normal_force = \"clamped\", which delivers 0.135 at least"});
+            Lines{"mill.toml:19:15: 'restitution': 0.1 is not reached with "
+                  "normal_force = \"clamped\": damping ends at critical, which delivers 0.135"});
   EXPECT_EQ(parse(changed(low, "law =", "normal_force = \"unclamped\"\nlaw =")).warnings, Lines{});
 }
 
 TEST(SceneReader, WarnsOfAVolumeStiffnessThatNothingUses) {
   const std::string text =
       changed(kGoodScene, "law =", "volume_stiffness = \"1 GPa\"\nlaw =");
-  EXPECT_EQ(parse(text).warnings,
-            Lines{"mill.toml:13:20: warning: 'volume_stiffness' is not used: it needs "
-                  "normal_model = \"volume\""});
+  EXPECT_EQ(parse(text).warnings, Lines{"mill.toml:13:20: 'volume_stiffness' is not used: it needs "
+                                        "normal_model = \"volume\""});
   EXPECT_EQ(parse(changed(text, "law =", "normal_model = \"volume\"\nlaw =")).warnings, Lines{});
 }
 
