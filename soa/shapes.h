@@ -13,6 +13,7 @@
 //   edge lanes  edge_at x,y,z: the first vertex, edge_side: from there to the second, and 1 / side^2,
 //             padded to kShapePad by repeating edge 0; made from the rest by set_edge_lanes()
 //   vertex_faces  per vertex `face_words` words of 64 bits: the faces around it
+//   vertex_edges  per vertex one word: the edges around it; empty if there are more than 64 edges
 #pragma once
 
 #include <string>
@@ -44,7 +45,7 @@ struct Shape {
   Column<std::uint16_t> face_begin, face_vertex, face_edge;
   Column<std::uint16_t> edge_vertex, edge_face;
   Column<double> edge_at[3], edge_side[3], edge_inverse2;
-  Column<std::uint64_t> vertex_faces;
+  Column<std::uint64_t> vertex_faces, vertex_edges;
   Index face_words = 1;
   double bound_radius = 0;  // farthest vertex
   double inner_radius = 0;  // nearest plane
@@ -79,6 +80,11 @@ inline void set_edge_lanes(Shape& s) {
     }
     QUERN_CHECK(side.squaredNorm() > 0);
     s.edge_inverse2[lane] = 1 / side.squaredNorm();
+  }
+  s.vertex_edges.reset(s.edges <= 64 ? s.vertices : 0);
+  s.vertex_edges.fill(0);
+  for (std::size_t k = 0; k < 2 * s.edges && !s.vertex_edges.empty(); ++k) {
+    s.vertex_edges[s.edge_vertex[k]] |= std::uint64_t{1} << k / 2;
   }
 }
 
