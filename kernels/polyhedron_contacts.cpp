@@ -139,13 +139,11 @@ void PolyhedronContacts<Real>::push(Lane& lane, const Side& i, const Side& j, In
 
 template <class Real>
 void PolyhedronContacts<Real>::collect_pair(World<Real>& world, BodyTable& table,
-                                            std::size_t row_of_pair) {
+                                            std::size_t row_of_pair, const Vec3& between,
+                                            double turned) {
   PolyhedronPair& pair = world.polyhedra.pairs[row_of_pair];
   Apart& apart = table.pairs[row_of_pair];
   const BodyNow &body_j = table.body[pair.j], &body_i = table.body[pair.i];
-  const Vec3 between = separation(world, Vec3(body_i.state.place - body_j.state.place));
-  const double turned = body_i.turned + body_j.turned;
-  if (apart.holds(between, turned)) return;
   const double reach = body_i.reach + body_j.reach, distance2 = between.squaredNorm();
   const bool near = distance2 < reach * reach;
   apart = {between, turned, near ? 0 : std::sqrt(distance2) - reach};
@@ -329,11 +327,15 @@ void PolyhedronContacts<Real>::collect_pairs(World<Real>& world, BodyTable& tabl
                                              std::size_t first, std::size_t last) {
   count_ = 0;
   lanes_.clear();
-  Polyhedra<Real>& p = world.polyhedra;
-  auto pair = std::lower_bound(p.pairs.begin(), p.pairs.end(), first,
-                               [](const PolyhedronPair& a, std::size_t j) { return a.j < j; });
-  for (; pair != p.pairs.end() && pair->j < last; ++pair) {
-    collect_pair(world, table, static_cast<std::size_t>(pair - p.pairs.begin()));
+  const std::vector<PairBodies>& pairs = table.pair_bodies;
+  auto pair = std::lower_bound(pairs.begin(), pairs.end(), first,
+                               [](const PairBodies& a, std::size_t j) { return a.j < j; });
+  for (; pair != pairs.end() && pair->j < last; ++pair) {
+    const BodyNow &j = table.body[pair->j], &i = table.body[pair->i];
+    const Vec3 between = separation(world, Vec3(i.state.place - j.state.place));
+    const double turned = i.turned + j.turned;
+    const std::size_t row = static_cast<std::size_t>(pair - pairs.begin());
+    if (!table.pairs[row].holds(between, turned)) collect_pair(world, table, row, between, turned);
   }
 }
 

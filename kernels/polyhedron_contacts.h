@@ -51,18 +51,24 @@ struct ApartFromWall {
   bool holds(const ShapePose& now) const;
 };
 
-// A body as its contacts see it in this step, in one place: made once a step from the columns.
-struct BodyNow {
-  BodyState state;
-  ShapePose pose;
+// A body as its contacts see it in this step, in one place: made once a step from the columns. What
+// tells that a pair is apart still lies in the first cache line.
+struct alignas(kAlignment) BodyNow {
   double reach = 0;   // m, radius of the bounding sphere
   double turned = 0;  // m, way that turning has carried its points since the lists were built, at most
+  BodyState state;
+  ShapePose pose;
   Quat orientation = Quat::Identity();
+};
+
+struct PairBodies {
+  Index j = 0, i = 0;
 };
 
 // All bodies of now, and what is known to be apart; a stretch writes what is its own.
 struct BodyTable {
   std::vector<BodyNow> body;
+  std::vector<PairBodies> pair_bodies;  // of each listed pair: their records are large
   std::vector<Apart> pairs;          // of each listed pair
   std::vector<std::uint8_t> touches;  // each listed pair
   std::vector<ApartFromWall> walls;  // of each entry of wall candidates
@@ -122,7 +128,8 @@ class PolyhedronContacts {
     ApartFromWall* apart;  // null: no candidates
     std::span<const PolyhedronWall> old;
   };
-  void collect_pair(World<Real>& world, BodyTable& table, std::size_t row);
+  void collect_pair(World<Real>& world, BodyTable& table, std::size_t row, const Vec3& between,
+                    double turned);
   void collect_walls_of(World<Real>& world, BodyTable& table, std::size_t body,
                         std::span<const PolyhedronWall> old);
   void collect_wall(World<Real>& world, const BodyNow& body, const WallInput& in);

@@ -66,7 +66,11 @@ void BodyStepper<Real>::index_lists() {
       p.size(), p.spheres.polyhedron.size(), [&](std::size_t k) { return p.spheres.polyhedron[k]; },
       group_begin_, group_of_);
   first_pair_.assign(p.size() + 1, 0);
-  for (const PolyhedronPair& pair : p.pairs) ++first_pair_[pair.j + 1];
+  table_.pair_bodies.clear();
+  for (const PolyhedronPair& pair : p.pairs) {
+    ++first_pair_[pair.j + 1];
+    table_.pair_bodies.push_back({pair.j, pair.i});
+  }
   for (std::size_t k = 0; k < p.size(); ++k) first_pair_[k + 1] += first_pair_[k];
   for (Column<double>& t : torque_) t.reset(p.size());
   table_.body.resize(p.size());

@@ -212,11 +212,11 @@ LawColumns<Real> law_columns(const Scene& scene, const std::vector<PairValues>& 
   return law;
 }
 
-// What comes in between two steps has the velocity it is given now; a running world keeps those of half
-// a step before.
+// What rains in while the account is open has the velocity it is given now; the world keeps those of
+// half a step before. A charge that starts, or is exchanged, brings them as they are kept.
 template <class Real>
 Vec3 stored_velocity(const World<Real>& world, const ParticleSeed& seed) {
-  if (world.clock.first_kick != 0) return seed.velocity;
+  if (world.ledger.open == 0) return seed.velocity;
   return seed.velocity - 0.5 * world.clock.dt * world.gravity;
 }
 

@@ -14,11 +14,6 @@ namespace {
 
 constexpr double kParallel = 1e-30;  // a line this flat against a plane never meets it
 
-// The same bits whichever way round the edge is walked.
-Vec3 crossing(const Vec3& inside, double height_in, const Vec3& outside, double height_out) {
-  return inside + (height_in / (height_in - height_out)) * (outside - inside);
-}
-
 // The square of a plane that surely covers the shape, by which intersect_with_planes() begins.
 void start_on_plane(ClipBuffers& buffers, const Plane& plane, double reach, int own) noexcept {
   Vec3 across = Vec3::Unit(0);

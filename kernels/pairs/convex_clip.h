@@ -61,6 +61,12 @@ struct ClipBuffers {
 // Keeps what lies behind the plane; new edges are labelled. False if nothing is left.
 bool clip_polygon(ClipBuffers& buffers, const Plane& plane, int label) noexcept;
 
+// Where an edge between these heights over a plane (one <= 0, one > 0) meets it: the same bits
+// whichever way round the edge is walked.
+inline Vec3 crossing(const Vec3& inside, double height_in, const Vec3& outside, double height_out) {
+  return inside + (height_in / (height_in - height_out)) * (outside - inside);
+}
+
 // Clips by all faces of a shape, in its body frame; face f is labelled first_label + f.
 bool clip_by_shape(ClipBuffers& buffers, const Shape& shape, int first_label) noexcept;
 
@@ -86,7 +92,8 @@ class OverlapSums {
  public:
   // `plane` is the index of the polygon's own plane, as in the labels.
   void add_face(const ClippedPolygon& polygon, const Plane& own, int plane, int side) noexcept;
-  // The same without edges, for who needs no width or chord, after start(): volumes count from there.
+  // The same without edges, for who needs no width or chord, after start(): volumes count from
+  // there.
   void start(const Vec3& reference) noexcept {
     begun_ = true;
     reference_ = reference;

@@ -2,77 +2,27 @@
 //
 // Everything is formed relative to the polyhedron's centre, in its body frame and in units of its
 // equivalent radius: a plane's section with the polyhedron is local, and a triangle, however large,
-// only cuts that section by its three edges. The section serves all triangles of the plane. Joining
-// goes by planes, not triangles: which triangle owns an edge must not matter.
+// only cuts that section by its three edges. The section serves all triangles of the plane, and is
+// one part as it is where no edge of the plane's group comes near: most contacts. Joining goes by
+// planes, not triangles: which triangle owns an edge must not matter.
 #include "kernels/pairs/polyhedron_facet.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
-#include "kernels/pairs/wall_patch.h"
+#include "kernels/pairs/facet_work.h"
 
 namespace quern {
 namespace {
 
-constexpr int kMaxSurfaces = kMaxPatchPlanes;
-constexpr int kMaxParts = 192;
-constexpr int kMaxCornersKept = 3072;
-constexpr int kMaxJoints = 256;
+using namespace facet_work;
+
 constexpr int kMaxCuts = 12;
 constexpr double kSameLine = 1e-12;  // two cuts are one; of the equivalent radius
 constexpr double kOnCut = 1e-9;      // a part may stand out of a cut by this much
 constexpr double kRounding = 4e-16;
-
-// A range of kept corners.
-struct Kept {
-  int first, count;
-};
-
-// A plane of the wall that cuts the polyhedron, in body units.
-struct Surface {
-  Plane plane;
-  Vec3 normal;  // in the frame of the wall's body
-  Index group, wall;
-  Kept section;       // empty: the plane does not cut the polyhedron
-  FaceSides sides;
-  double section_area;
-  double area;  // of the wall in the polyhedron
-  Vec3 moment;  // integral of x cross normal over that
-  int patch;    // lowest surface of the same patch
-};
-
-// The part of a triangle inside the polyhedron.
-struct Part {
-  Index triangle;
-  int surface;
-  std::uint32_t edges;  // bit k: the triangle's edge k reaches into the polyhedron
-  Kept corners;
-};
-
-// A convex edge of a candidate triangle near the polyhedron.
-struct Joint {
-  Index edge;
-  int surface;
-};
-
-struct Work {
-  const Facets& facets;
-  const ShapePose& pose;
-  const Shape& shape;
-  ClipBuffers buffers;
-  std::array<Surface, kMaxSurfaces> surface;  // not set before use, nor are the next
-
-  std::array<Part, kMaxParts> part;
-  std::array<Joint, kMaxJoints> joint;
-  std::array<Vec3, kMaxCornersKept> corner;
-  int surfaces = 0, parts = 0, joints = 0, corners = 0;
-  bool full = false;
-
-  Work(const Facets& f, const ShapePose& p) noexcept : facets(f), pose(p), shape(*p.shape) {}
-  Vec3 turned(const Vec3& direction) const { return pose.turn.transpose() * direction; }
-};
+constexpr double kMargin = 1e-9;  // about a section, of the equivalent radius
 
 bool keep_polygon(Work& work, Kept& kept) noexcept {
   const ClippedPolygon& polygon = *work.buffers.now;
@@ -105,16 +55,27 @@ Plane facet_plane(const Work& work, const FacetRecord& facet) noexcept {
           facet.normal.dot(facet.corner[0] - work.pose.place) / work.pose.scale};
 }
 
-// Whether the triangle's plane, or one of those across its edges, keeps it out of the bounding sphere.
-bool out_of_reach(const ShapePose& pose, double reach, const FacetRecord& facet) noexcept {
-  const Vec3 center = pose.place - facet.corner[0];
-  if (std::abs(facet.normal.dot(center)) >= reach) return true;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3 side = facet.corner[(k + 1) % 3] - facet.corner[k];
-    const double beyond = side.cross(facet.normal).dot(pose.place - facet.corner[k]);
-    if (beyond > 0 && beyond * beyond >= reach * reach * side.squaredNorm()) return true;
+// A circle about the section, a little larger.
+void set_circle(const Work& work, const ClippedPolygon& section, Surface& surface) noexcept {
+  Vec3 middle = Vec3::Zero();
+  for (int k = 0; k < section.corners; ++k) middle += section.corner[k];
+  middle /= section.corners;
+  double most = 0;
+  for (int k = 0; k < section.corners; ++k) {
+    most = std::max(most, (section.corner[k] - middle).squaredNorm());
   }
-  return false;
+  surface.middle = work.pose.place + work.pose.scale * (work.pose.turn * middle);
+  surface.radius = work.pose.scale * (std::sqrt(most) * (1 + kMargin) + 2 * kMargin);
+}
+
+// Whether the group is known with another normal, so that its surfaces end at flat edges too.
+bool mark_uneven(Work& work, Index group) noexcept {
+  bool uneven = false;
+  for (int s = 0; s < work.surfaces; ++s) {
+    Surface& known = work.surface[static_cast<std::size_t>(s)];
+    if (known.group == group) known.edged = uneven = true;
+  }
+  return uneven;
 }
 
 // Index of the surface the triangle lies in, or -1 if its plane does not cut the polyhedron.
@@ -127,24 +88,30 @@ int surface_of(Work& work, const FacetRecord& facet) noexcept {
   }
   const Plane plane = facet_plane(work, facet);
   if (std::abs(plane.offset) >= work.shape.bound_radius) return -1;
-  FaceSides sides;
-  Kept section = {0, 0};
-  const bool cut = section_of_shape(work.shape, plane, work.buffers, sides);
-  if (!cut && work.surfaces >= kMaxSurfaces / 2) return -1;  // not worth remembering
-  if (work.surfaces == kMaxSurfaces || (cut && !keep_polygon(work, section))) {
+  if (work.surfaces == kMaxSurfaces) {
     work.full = true;
     return -1;
   }
   Surface& surface = work.surface[static_cast<std::size_t>(work.surfaces)];
+  Kept section = {0, 0};
+  surface.edged = mark_uneven(work, facet.group);
+  const bool cut = section_of_shape(work.shape, plane, work.buffers, surface.cut);
+  if (!cut && work.surfaces >= kMaxSurfaces / 2) {  // not worth remembering
+    work.crowded = true;
+    return -1;
+  }
+  if (cut && !keep_polygon(work, section)) return -1;
   surface.plane = plane;
   surface.normal = facet.normal;
   surface.group = facet.group;
   surface.wall = facet.wall;
   surface.section = section;
   if (cut) {
-    surface.sides = sides;
     surface.section_area = polygon_area(*work.buffers.now, plane.normal);
+    set_circle(work, *work.buffers.now, surface);
   }
+  surface.centred = false;
+  surface.triangle = kNoIndex;
   surface.area = 0;
   surface.moment = Vec3::Zero();
   surface.patch = work.surfaces++;
@@ -171,25 +138,53 @@ double perimeter(const ClippedPolygon& polygon) noexcept {
   return sum;
 }
 
-void add_part(Work& work, Index triangle, int s) noexcept {
+// How far the middle of the section lies beyond edge k of the triangle, over the edge's length.
+double beyond_edge(const Surface& surface, const FacetRecord& facet, std::size_t k,
+                   double& size2) noexcept {
+  const Vec3 side = facet.corner[(k + 1) % 3] - facet.corner[k];
+  size2 = side.squaredNorm();
+  return side.cross(facet.normal).dot(surface.middle - facet.corner[k]);
+}
+
+// Takes the triangle down for add_part() unless it lies apart from the section, and what it tells
+// of whether its group covers the section.
+void add_near(Work& work, Index triangle, int s) noexcept {
   Surface& surface = work.surface[static_cast<std::size_t>(s)];
   const FacetRecord& facet = work.facets.record[triangle];
-  load_polygon(work, surface.section, 3);
-  bool whole = true;  // no edge comes near
-  const double reach = work.shape.bound_radius * work.pose.scale;
+  const double radius2 = surface.radius * surface.radius;
+  const double close = kMargin * work.pose.scale;
+  bool edged = false, centred = true;
   for (std::size_t k = 0; k < 3; ++k) {
-    // An edge whose plane passes by the bounding sphere cuts nothing off.
-    const Vec3 side = facet.corner[(k + 1) % 3] - facet.corner[k];
-    const double beyond = side.cross(facet.normal).dot(work.pose.place - facet.corner[k]);
-    if (beyond < 0 && beyond * beyond >= reach * reach * side.squaredNorm()) continue;
-    if (!clip_polygon(work.buffers, edge_plane(work, facet, k), static_cast<int>(k))) return;
-    whole = false;
+    double size2;
+    const double beyond = beyond_edge(surface, facet, k, size2);
+    const bool crosses = beyond * beyond < radius2 * size2;
+    if (!crosses && beyond > 0) return;
+    edged |= crosses && (facet.edge[k] & kInsideGroup) == 0;
+    centred &= beyond <= 0 || beyond * beyond <= close * close * size2;
   }
+  if (work.nears == kMaxParts) {
+    work.full = true;
+    return;
+  }
+  surface.edged |= edged;
+  surface.centred |= centred;
+  surface.triangle = std::min(surface.triangle, triangle);
+  work.near[static_cast<std::size_t>(work.nears++)] = {triangle, s};
+}
+
+// A part of the wall: the polygon in the buffers, of which `corners` are kept if `whole`, the
+// section as it is.
+void add_polygon(Work& work, Part part, bool whole) noexcept {
+  Surface& surface = work.surface[static_cast<std::size_t>(part.surface)];
   const ClippedPolygon& polygon = *work.buffers.now;
   Vec3 first = Vec3::Zero();
   const double area = add_moment(polygon, surface.plane.normal, first);
-  if (area <= kRounding * work.shape.bound_radius * perimeter(polygon)) return;
-  Part part{triangle, s, 0, surface.section};
+  // The perimeter is less than that of the circle.
+  const double noise = kRounding * work.shape.bound_radius;
+  if (area <= noise * (2 * kPi * surface.radius / work.pose.scale) &&
+      area <= noise * perimeter(polygon)) {
+    return;
+  }
   if (work.parts == kMaxParts || (!whole && !keep_polygon(work, part.corners))) {
     work.full = true;
     return;
@@ -200,6 +195,41 @@ void add_part(Work& work, Index triangle, int s) noexcept {
   surface.area += area;
   surface.moment += first.cross(surface.plane.normal);
   work.part[static_cast<std::size_t>(work.parts++)] = part;
+}
+
+// The part of a triangle of a plane that its group does not cover for sure.
+void add_part(Work& work, const NearTriangle& near) noexcept {
+  const Surface& surface = work.surface[static_cast<std::size_t>(near.surface)];
+  const FacetRecord& facet = work.facets.record[near.triangle];
+  load_polygon(work, surface.section, 3);
+  bool whole = true;  // no edge comes near
+  for (std::size_t k = 0; k < 3; ++k) {
+    double size2;
+    const double beyond = beyond_edge(surface, facet, k, size2);
+    if (beyond < 0 && beyond * beyond >= surface.radius * surface.radius * size2) continue;
+    if (!clip_polygon(work.buffers, edge_plane(work, facet, k), static_cast<int>(k))) return;
+    whole = false;
+  }
+  add_polygon(work, {near.triangle, near.surface, 0, surface.section}, whole);
+}
+
+// Whether the group covers the section: no edge that ends it comes near, and it is there.
+bool is_covered(const Work& work, int s) noexcept {
+  const Surface& surface = work.surface[static_cast<std::size_t>(s)];
+  return surface.section.count > 0 && surface.centred && !surface.edged && !work.crowded;
+}
+
+void add_parts(Work& work) noexcept {
+  for (int s = 0; s < work.surfaces; ++s) {
+    if (!is_covered(work, s)) continue;
+    const Surface& surface = work.surface[static_cast<std::size_t>(s)];
+    load_polygon(work, surface.section, 3);
+    add_polygon(work, {surface.triangle, s, 0, surface.section}, true);
+  }
+  for (int k = 0; k < work.nears; ++k) {
+    const NearTriangle& near = work.near[static_cast<std::size_t>(k)];
+    if (!is_covered(work, near.surface)) add_part(work, near);
+  }
 }
 
 // Whether the edge passes within the bound radius of the polyhedron's centre.
@@ -214,7 +244,8 @@ bool is_near(const Work& work, const FacetRecord& facet, std::size_t k) noexcept
 void add_joints(Work& work, Index triangle, int s) noexcept {
   const FacetRecord& facet = work.facets.record[triangle];
   for (std::size_t k = 0; k < 3; ++k) {
-    const Index edge = work.facets.edge_of[3 * triangle + k];
+    if ((facet.edge[k] & kInsideGroup) != 0) continue;
+    const Index edge = facet.edge[k];
     if (work.facets.edge_kind[edge] != EdgeKind::kConvex || !is_near(work, facet, k)) continue;
     if (work.joints == kMaxJoints) {
       work.full = true;
@@ -351,7 +382,7 @@ bool overlap_of_patch(const Work& work, int patch, const PatchSums& sums, const 
   if (planes.count == 1) {
     const Surface& only = work.surface[static_cast<std::size_t>(sums.largest)];
     const Vec3& corner = work.corner[static_cast<std::size_t>(only.section.first)];
-    return overlap_behind_plane(work.shape, only.plane, only.sides, {corner, only.section_area},
+    return overlap_behind_plane(work.shape, only.plane, only.cut, {corner, only.section_area},
                                 overlap);
   }
   const Vec3 n = work.turned(normal);
@@ -413,12 +444,14 @@ int polyhedron_facet_touches(const Facets& facets, const ShapePose& pose,
   Work work(facets, pose);
   const double reach = work.shape.bound_radius * pose.scale;
   for (const Index triangle : candidates) {
-    if (out_of_reach(pose, reach, facets.record[triangle])) continue;
-    const int s = surface_of(work, facets.record[triangle]);
+    const FacetRecord& facet = facets.record[triangle];
+    if (std::abs(facet.normal.dot(pose.place - facet.corner[0])) >= reach) continue;
+    const int s = surface_of(work, facet);
     if (s < 0) continue;
-    add_part(work, triangle, s);
+    add_near(work, triangle, s);
     add_joints(work, triangle, s);
   }
+  add_parts(work);
   if (work.parts == 0) return 0;
   join_surfaces(work);
   int count = 0;
@@ -428,37 +461,6 @@ int polyhedron_facet_touches(const Facets& facets, const ShapePose& pose,
     if (build_patch(work, s, options, patch)) insert_patch(patch, out, capacity, count);
   }
   return count;
-}
-
-double distance_from_facets(const Facets& facets, const ShapePose& pose,
-                            std::span<const Index> candidates) noexcept {
-  const Shape& shape = *pose.shape;
-  const double reach = shape.bound_radius * pose.scale;
-  // How far the polyhedron lies beyond the plane through `at` with this unit normal.
-  const auto beyond = [&](const Vec3& normal, const Vec3& at) {
-    const double center = normal.dot(pose.place - at);
-    if (center >= 2 * reach) return reach;
-    const Vec3 n = pose.turn.transpose() * normal;
-    double lowest = std::numeric_limits<double>::max();
-    for (std::size_t v = 0; v < shape.vertices; ++v) {
-      const double height = n.x() * shape.x[v] + n.y() * shape.y[v] + n.z() * shape.z[v];
-      lowest = height < lowest ? height : lowest;
-    }
-    return std::min(reach, center + pose.scale * lowest);
-  };
-  double least = reach;
-  for (const Index triangle : candidates) {
-    const FacetRecord& facet = facets.record[triangle];
-    double apart = std::max(beyond(facet.normal, facet.corner[0]),
-                            beyond(-facet.normal, facet.corner[0]));
-    for (std::size_t k = 0; k < 3 && apart < least; ++k) {
-      const Vec3 side = facet.corner[(k + 1) % 3] - facet.corner[k];
-      apart = std::max(apart, beyond(side.cross(facet.normal).normalized(), facet.corner[k]));
-    }
-    least = std::min(least, apart);
-    if (least <= 0) return 0;
-  }
-  return least;
 }
 
 }  // namespace quern

@@ -112,17 +112,35 @@ double depth_along(const Shape& shape, std::span<const Plane> planes, const Vec3
 
 }  // namespace
 
-bool section_of_shape(const Shape& shape, const Plane& plane, ClipBuffers& buffers,
-                      FaceSides& sides) noexcept {
+bool section_of_shape(const Shape& shape, const Plane& plane, ClipBuffers& buffers, PlaneCut& cut,
+                      CutWay way) noexcept {
+  if (way == CutWay::kEdges && can_cut_by_edges(shape)) {
+    cut.by_edges = cut_by_edges(shape, plane, buffers, cut);
+    if (!(cut.sides.deepest < 0 && cut.sides.highest > 0)) return false;
+    if (cut.by_edges) return true;
+  }
   double height[kMaxShapeVertices];
-  vertex_heights(shape, plane, height, sides);
-  if (!(sides.deepest < 0 && sides.highest > 0)) return false;
-  find_sides(shape, height, sides);
-  return section(shape, plane, sides, static_cast<int>(shape.faces), buffers);
+  cut.by_edges = false;
+  vertex_heights(shape, plane, height, cut.sides);
+  if (!(cut.sides.deepest < 0 && cut.sides.highest > 0)) return false;
+  find_sides(shape, height, cut.sides);
+  return section(shape, plane, cut.sides, static_cast<int>(shape.faces), buffers);
 }
 
-bool overlap_behind_plane(const Shape& shape, const Plane& plane, const FaceSides& sides,
+bool overlap_behind_plane(const Shape& shape, const Plane& plane, const PlaneCut& cut,
                           const Section& section, WallOverlap& out) noexcept {
+  out.depth = -cut.sides.deepest;
+  out.width = std::min(0.0, cut.sides.highest) - cut.sides.deepest;
+  // A convex body has less surface than a ball around it.
+  const double ball = 4 * kPi * cut.reach2;
+  if (cut.by_edges && cut.volume > kCoincident * shape.bound_radius * ball) {
+    out.volume = cut.volume;
+    out.centroid = cut.centroid;
+    out.full = false;
+    return true;
+  }
+  FaceSides sides;
+  sides_of(shape, plane, sides);
   ClipBuffers buffers;
   OverlapSums sums;
   sums.start(section.corner);
@@ -137,8 +155,6 @@ bool overlap_behind_plane(const Shape& shape, const Plane& plane, const FaceSide
   if (sums.volume() <= kCoincident * shape.bound_radius * area) return false;
   out.volume = sums.volume();
   out.centroid = sums.centroid();
-  out.depth = -sides.deepest;
-  out.width = std::min(0.0, sides.highest) - sides.deepest;
   out.full = buffers.full;
   return true;
 }
@@ -154,26 +170,25 @@ bool overlap_with_wall(const Shape& shape, std::span<const Plane> planes, const 
   };
   ClipBuffers buffers;
   if (planes.size() == 1) {
-    FaceSides sides;
-    sides_of(shape, planes[0], sides);
-    if (sides.deepest >= 0) return false;
-    Section cut = {planes[0].offset * planes[0].normal, 0};
-    if (sides.highest > 0 && section(shape, planes[0], sides, faces, buffers)) {
-      cut = {buffers.now->corner[0], polygon_area(*buffers.now, planes[0].normal)};
+    PlaneCut cut;
+    Section section = {planes[0].offset * planes[0].normal, 0};
+    if (section_of_shape(shape, planes[0], buffers, cut)) {
+      section = {buffers.now->corner[0], polygon_area(*buffers.now, planes[0].normal)};
     }
-    return overlap_behind_plane(shape, planes[0], sides, cut, out);
+    if (cut.sides.deepest >= 0) return false;
+    return overlap_behind_plane(shape, planes[0], cut, section, out);
   }
   OverlapSums sums;
   FaceSet candidates;
   candidates.fill(~std::uint64_t{0});
   for (std::size_t k = 0; k < planes.size(); ++k) {
-    FaceSides sides;
-    sides_of(shape, planes[k], sides);
-    if (sides.deepest >= 0) return false;
-    for (std::size_t w = 0; w < shape.face_words; ++w) candidates[w] &= sides.behind[w];
-    const int label = faces + static_cast<int>(k);
-    if (sides.highest > 0 && section(shape, planes[k], sides, label, buffers) && clip(buffers, k)) {
-      sums.add_face(*buffers.now, planes[k], label, 1);
+    PlaneCut cut;
+    const bool cuts = section_of_shape(shape, planes[k], buffers, cut);
+    if (cut.sides.deepest >= 0) return false;
+    if (!cuts) sides_of(shape, planes[k], cut.sides);
+    for (std::size_t w = 0; w < shape.face_words; ++w) candidates[w] &= cut.sides.behind[w];
+    if (cuts && clip(buffers, k)) {
+      sums.add_face(*buffers.now, planes[k], faces + static_cast<int>(k), 1);
     }
   }
   for (std::size_t f = 0; f < shape.faces; ++f) {

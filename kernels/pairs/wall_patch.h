@@ -1,5 +1,9 @@
 // A convex shape pressed into a wall that is bounded by a few planes: section, volume, depth.
 //
+// One plane is by far the most frequent. Its section and what lies behind come from the edges of
+// the shape that cross it or lie behind it (cut_by_edges); polygons of whole faces are for larger
+// shapes, for signs that do not pair up, for what is about as thin as rounding, and for tests.
+//
 // All in the body frame of the shape with unit equivalent radius (convex_clip.h). The wall is what
 // lies behind all of `planes`: its surface, and limits of the part of it that is looked at. Planes
 // of one contact are few, those of the shape many, hence not the code for two polyhedra: only faces
@@ -29,10 +33,31 @@ struct FaceSides {
   double deepest, highest;  // heights of vertices
 };
 
-// The polygon in which the plane cuts the shape, in buffers.now, and the sides of the plane; false if
-// it does not cut.
-bool section_of_shape(const Shape& shape, const Plane& plane, ClipBuffers& buffers,
-                      FaceSides& sides) noexcept;
+// A shape cut by a plane. Left uninitialised on purpose.
+struct PlaneCut {
+  FaceSides sides;
+  bool by_edges;  // then what follows is known of the part behind the plane, but not sides.before
+  double volume;
+  double reach2;  // square of the greatest distance from corner 0 of the section
+  Vec3 centroid;
+};
+
+// The polygon in which the plane cuts the shape, in buffers.now, and the sides of the plane; false
+// if it does not cut.
+enum class CutWay : std::uint8_t { kEdges, kPolygons };
+bool section_of_shape(const Shape& shape, const Plane& plane, ClipBuffers& buffers, PlaneCut& cut,
+                      CutWay way = CutWay::kEdges) noexcept;
+
+// What section_of_shape() does first, with lanes over vertices and edges (plane_cut.cpp). False if
+// the plane does not cut or the signs of heights do not pair up; the heights of `cut` are set even
+// then.
+inline constexpr std::size_t kMaxCutEdges = 64;  // and vertices, and faces: one word of bits
+inline bool can_cut_by_edges(const Shape& shape) noexcept {
+  return shape.vertices <= kMaxCutEdges && shape.faces <= kMaxCutEdges &&
+         shape.edges <= 64;
+}
+bool cut_by_edges(const Shape& shape, const Plane& plane, ClipBuffers& buffers,
+                  PlaneCut& cut) noexcept;
 
 struct WallOverlap {
   double volume = 0;
@@ -48,7 +73,7 @@ struct Section {
 };
 
 // The part of the shape behind one plane. False if it is thinner than rounding.
-bool overlap_behind_plane(const Shape& shape, const Plane& plane, const FaceSides& sides,
+bool overlap_behind_plane(const Shape& shape, const Plane& plane, const PlaneCut& cut,
                           const Section& section, WallOverlap& out) noexcept;
 
 // False if the overlap is empty or thinner than rounding. At most kMaxPatchPlanes planes.

@@ -197,6 +197,12 @@ class Summary(Case):
         self.assertFalse([key for key in self.summary() if key.endswith("_deg")])
         self.assertFalse((self.out / "charge_shape.svg").exists())
 
+    def test_rain_brings_its_energy(self):
+        for scene in ("box_packing_spheres", "box_packing"):
+            self.expect(0, quern("run", SCENES / f"{scene}.toml", "--out", self.out, "--until", 0.2))
+            # Closed but for rounding and free rotation, which the step keeps to second order.
+            self.assertLess(self.summary()["ledger_error"], 1e-5)
+
     def test_until_stops_early_and_resume_goes_on(self):
         self.expect(0, quern("run", BOUNCE, "--out", self.out, "--until", 0.1))
         self.assertAlmostEqual(self.summary()["time_s"], 0.1, delta=1e-5)

@@ -12,7 +12,7 @@ namespace quern {
 namespace {
 
 // Long enough to fall, meet the lifters and tumble; short, as polyhedra cost microseconds.
-constexpr std::uint64_t kWarmUp = 10000, kSteps = 1000;
+constexpr std::uint64_t kWarmUp = 12000, kSteps = 1000;
 
 using Overrides = std::vector<std::string>;
 
@@ -33,7 +33,7 @@ Scene sag_slice(const Overrides& more) {
   const std::string sizes =
       "[{ from = \"35 mm\", to = \"45 mm\", count = 1180 }, "
       "{ from = \"45 mm\", to = \"75 mm\", count = 334 }, "
-      "{ from = \"75 mm\", to = \"150 mm\", count = 128, shape = \"polyhedron\" }]";
+      "{ from = \"75 mm\", to = \"150 mm\", count = 160, shape = \"polyhedron\" }]";
   return scene_with("sag_slice_small_ph",
                     {"run.tile_size=16", "mill.length=0.48 m", "particles.ball.count=125",
                      "particles.ore.sizes=" + sizes},

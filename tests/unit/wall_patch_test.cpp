@@ -124,14 +124,76 @@ TEST(WallPatch, ALimitTakesAwayWhatIsBeyondIt) {
   EXPECT_LT((found.centroid - Vec3(0.1 - half / 2, 0, -half + 0.05)).norm(), 1e-14);
 }
 
+// The ring of edges against polygons of faces. Corners of both are good to a few roundings of the
+// shape's size, which volumes and centroids of a part of extent e feel as 1e-15 / e, and flat ones
+// as 1e-15 over their depth.
+void expect_same_cut(const Shape& shape, const Plane& plane, int& by_edges) {
+  ClipBuffers fast_section, plain_section;
+  PlaneCut fast, plain;
+  const bool cuts = section_of_shape(shape, plane, fast_section, fast);
+  const bool cuts_plain = section_of_shape(shape, plane, plain_section, plain, CutWay::kPolygons);
+  ASSERT_FALSE(plain.by_edges);
+  EXPECT_NEAR(fast.sides.deepest, plain.sides.deepest, 2e-15);
+  // Flush or just touching: rounding decides.
+  const bool grazes =
+      std::abs(plain.sides.deepest) < 4e-15 || std::abs(plain.sides.highest) < 4e-15;
+  if (grazes) return;
+  ASSERT_EQ(cuts, cuts_plain);
+  if (!cuts) return;
+  by_edges += fast.by_edges;
+  const ClippedPolygon &one = *fast_section.now, &two = *plain_section.now;
+  const double area = polygon_area(one, plane.normal), depth = -plain.sides.deepest;
+  EXPECT_NEAR(area, polygon_area(two, plane.normal), 1e-13);
+  for (int k = 0; k < one.corners; ++k) {
+    EXPECT_NEAR(plane.height(one.corner[k]), 0, 1e-14);
+    const std::size_t f = static_cast<std::size_t>(one.beyond[k]);
+    const Vec3& next = one.corner[k + 1 < one.corners ? k + 1 : 0];
+    EXPECT_NEAR(shape.normal(f).dot(one.corner[k]), shape.d[f], 1e-13);
+    EXPECT_NEAR(shape.normal(f).dot(next), shape.d[f], 1e-13);
+  }
+  WallOverlap a, b;
+  const bool thick = overlap_behind_plane(shape, plane, fast, {one.corner[0], area}, a);
+  ASSERT_EQ(thick, overlap_behind_plane(shape, plane, plain, {two.corner[0], area}, b));
+  if (!thick) return;
+  EXPECT_NEAR(a.volume / b.volume, 1, 1e-12 / depth);
+  EXPECT_LT((a.centroid - b.centroid).norm(), 1e-12 / depth * std::sqrt(area));
+  EXPECT_NEAR(a.depth, b.depth, 2e-15);
+}
+
+TEST(PlaneCut, IsTheSameByEdgesAndByPolygons) {
+  Random random(3);
+  int by_edges = 0, cuts = 0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const Shape shapes[] = {rock(12, seed), rock(20, seed), built_box({1, 1, 1}),
+                            built_box({3, 1, 0.3})};
+    for (const Shape& shape : shapes) {
+      for (int trial = 0; trial < 20; ++trial) {
+        const double depth = std::pow(10.0, random(-5, 0.2));
+        const Case c = random_case(shape, 1, depth, random);
+        expect_same_cut(shape, c.walls[0], by_edges);
+        // Flush with a face, and through a vertex.
+        const std::size_t f = static_cast<std::size_t>(trial) % shape.faces;
+        const Vec3 n = -shape.normal(f);
+        for (const double off : {1e-4, 1e-9, 0.0}) {
+          expect_same_cut(shape, {n, off - shape.d[f]}, by_edges);
+        }
+        const Vec3 corner = shape.vertex(static_cast<std::size_t>(trial) % shape.vertices);
+        expect_same_cut(shape, {c.normal, c.normal.dot(corner)}, by_edges);
+        ++cuts;
+      }
+    }
+  }
+  EXPECT_GT(by_edges, cuts);
+}
+
 TEST(WallPatch, PlanesThatMissLeaveNothing) {
   const Shape shape = rock(12, 5);
   WallOverlap found;
   const Plane away{Vec3::UnitZ(), -3};
   EXPECT_FALSE(overlap_with_wall(shape, {&away, 1}, Vec3::UnitZ(), found));
   ClipBuffers buffers;
-  FaceSides sides;
-  EXPECT_FALSE(section_of_shape(shape, away, buffers, sides));
+  PlaneCut cut;
+  EXPECT_FALSE(section_of_shape(shape, away, buffers, cut));
 }
 
 }  // namespace
