@@ -120,7 +120,8 @@ void move_spheres(const MoveView<Real>& m, const TileRows& tile, double dt, Move
     const V twist = hn::Div(hn::Mul(hn::Set(d, 2.5), push), r2);
     const Vec3V<V> spin_old = {hn::LoadU(d, m.spin[0] + at), hn::LoadU(d, m.spin[1] + at),
                                hn::LoadU(d, m.spin[2] + at)};
-    const Vec3V<V> spin = scale(drag, add_scaled(spin_old, twist, torque));
+    const Vec3V<V> spin_kicked = add_scaled(spin_old, twist, torque);
+    const Vec3V<V> spin = scale(drag, spin_kicked);
 #if QUERN_ROWS_IN_REGISTERS
     if constexpr (sizeof(Real) == sizeof(float)) {
       if (count == 8) {
@@ -149,9 +150,8 @@ void move_spheres(const MoveView<Real>& m, const TileRows& tile, double dt, Move
     const auto count_if = [&](V v) HWY_ATTR { return hn::IfThenElseZero(live, v); };
     const V half_mass = count_if(hn::Mul(half, mass));
     sum.translational = hn::MulAdd(half_mass, dot(p.velocity, kicked), sum.translational);
-    const V inertia = hn::Mul(hn::Set(d, 0.4), r2);
-    sum.rotational =
-        hn::MulAdd(hn::Mul(half_mass, inertia), dot(spin_old, spin), sum.rotational);
+    const V half_inertia = hn::Mul(half_mass, hn::Mul(hn::Set(d, 0.4), r2));
+    sum.rotational = hn::MulAdd(half_inertia, dot(spin_old, spin_kicked), sum.rotational);
     const V counted_mass = count_if(mass);
     sum.momentum[0] = hn::MulAdd(counted_mass, p.velocity.x, sum.momentum[0]);
     sum.momentum[1] = hn::MulAdd(counted_mass, p.velocity.y, sum.momentum[1]);
@@ -160,6 +160,8 @@ void move_spheres(const MoveView<Real>& m, const TileRows& tile, double dt, Move
     sum.moment[1] = hn::MulAdd(counted_mass, p.place.y, sum.moment[1]);
     sum.moment[2] = hn::MulAdd(counted_mass, p.place.z, sum.moment[2]);
     sum.drag = hn::MulAdd(half_mass, hn::Sub(dot(kicked, kicked), dot(velocity, velocity)), sum.drag);
+    sum.drag = hn::MulAdd(half_inertia, hn::Sub(dot(spin_kicked, spin_kicked), dot(spin, spin)),
+                          sum.drag);
 
     const auto line = [&](int axis) HWY_ATTR {
       const auto v = hn::PromoteTo(d, hn::LoadU(hn::Rebind<float, D64>(), m.list_velocity[axis] + at));

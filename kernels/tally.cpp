@@ -11,8 +11,11 @@ double mean(const TallyInput& in, double sum) {
   return in.window->steps > 0 ? sum / in.window->steps : 0;
 }
 
+// What all share; 0 while nobody has come in.
+double share(double sum, double among) { return among > 0 ? sum / among : 0; }
+
 double centre(const TallyInput& in, std::size_t axis) {
-  return mean(in, in.window->moment_of_mass[axis]) / in.mass;
+  return share(mean(in, in.window->moment_of_mass[axis]), in.mass);
 }
 
 }  // namespace
@@ -63,7 +66,7 @@ const std::vector<TallyRow>& tally_rows() {
       {{"center_of_mass_y", "m", "mean"}, [](In in) { return centre(in, 1); }},
       {{"center_of_mass_z", "m", "mean"}, [](In in) { return centre(in, 2); }},
       {{"contacts_per_particle", "1", "touching particles per particle, walls not counted, mean"},
-       [](In in) { return 2 * mean(in, in.window->pair_contacts) / in.particles; }},
+       [](In in) { return share(2 * mean(in, in.window->pair_contacts), in.particles); }},
       {{"wall_contacts", "1", "contacts with walls, mean"},
        [](In in) { return mean(in, in.window->wall_contacts); }},
       {{"max_overlap", "1", "largest overlap over the smaller radius"},

@@ -25,6 +25,16 @@ struct Lightness {
   double normal = 1, tangential = 3.5;
 };
 
+// Equivalent radius 1.
+double face_area(const Shape& s, std::size_t f) {
+  Vec3 twice = Vec3::Zero();
+  const Vec3 first = s.vertex(s.face_vertex[s.face_begin[f]]);
+  for (std::size_t k = s.face_begin[f] + 1; k + 1 < s.face_begin[f + 1]; ++k) {
+    twice += (s.vertex(s.face_vertex[k]) - first).cross(s.vertex(s.face_vertex[k + 1]) - first);
+  }
+  return 0.5 * twice.norm();
+}
+
 // 1 + (r x n) . I^-1 (r x n) in units of 1/m, equivalent radius 1.
 double lightness(const Vec3& r, const Vec3& n, const Vec3& inverse_inertia) {
   const Vec3 arm = r.cross(n);
@@ -149,6 +159,29 @@ std::vector<StepAdvice> advise_steps(const Scene& scene, std::span<const Particl
     }
   }
   return all;
+}
+
+double flat_face_toss(const Scene& scene, std::span<const ParticleSeed> particles, double dt) {
+  const double gravity = scene.run.gravity.norm();
+  if (scene.contact.normal_model != NormalModel::kVolume || gravity == 0) return 0;
+  double stiffest = 0;
+  for (const PairValues& pair : resolve_pairs(scene)) {
+    stiffest = std::max(stiffest, pair.normal_stiffness);
+  }
+  std::map<const Shape*, double> largest;
+  double worst = 0;
+  for (const ParticleSeed& p : particles) {
+    if (p.is_sphere()) continue;
+    const auto [known, fresh] = largest.try_emplace(p.shape, 0);
+    for (std::size_t f = 0; fresh && f < p.shape->faces; ++f) {
+      known->second = std::max(known->second, face_area(*p.shape, f));
+    }
+    const double stiffness = scene.contact.volume_stiffness.value_or(stiffest / p.radius);
+    const double mass = scene.materials[p.material].density * sphere_volume(p.radius);
+    const double speed = stiffness * known->second * p.radius * p.radius * dt / mass;
+    worst = std::max(worst, speed * speed / (2 * gravity * 2 * p.radius));
+  }
+  return worst;
 }
 
 double choose_time_step(const Scene& scene, std::span<const ParticleSeed> particles) {

@@ -45,6 +45,13 @@ std::vector<StepAdvice> advise_steps(const Scene& scene, std::span<const Particl
 
 inline constexpr double kRefusedSteps = 4.0, kWarnedSteps = 10.0, kAdvisedSteps = 20.0;
 
+// Of normal_model = "volume", whose force on a flat face jumps to k_V A at the first touch: how high
+// the push of one step throws the polyhedron that it throws highest, over its diameter. Much of
+// that is energy from nowhere. 0 for the other model.
+double flat_face_toss(const Scene& scene, std::span<const ParticleSeed> particles, double dt);
+
+inline constexpr double kWarnedToss = 1e-3;
+
 // The scene's step, or a 25th of the shortest contact.
 double choose_time_step(const Scene& scene, std::span<const ParticleSeed> particles);
 

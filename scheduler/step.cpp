@@ -312,7 +312,9 @@ StepReport Stepper<Real>::step() {
   clock.first_kick = 0;
   const bool expired = clock.total_steps - clock.list_step > clock.list_window;
   if (expired || world_.totals.strays > 0) {
-    const double particles = static_cast<double>(world_.particles.size() + world_.polyhedra.size());
+    // None are there yet where all rain in.
+    const double particles = std::max(
+        1.0, static_cast<double>(world_.particles.size() + world_.polyhedra.size()));
     const double slots =
         static_cast<double>(world_.pairs.slots() + world_.polyhedra.spheres.sphere.size());
     adapt_lists(clock, {expired, std::sqrt(world_.totals.max_deviation2), world_.smallest_radius,

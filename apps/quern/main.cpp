@@ -3,6 +3,8 @@
 // Exit codes: 0 fine, 1 a defect of ours, 2 the user's input, 3 the system (disk, files), 4 the run
 // went wrong (and left a checkpoint).
 #include <CLI/CLI.hpp>
+#include <cfenv>
+#include <cstdlib>
 
 #include "apps/quern/check.h"
 #include "apps/quern/info.h"
@@ -76,6 +78,8 @@ int dispatch(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // For tests: what must not happen in any lane ends the program at the spot.
+  if (std::getenv("QUERN_TRAP_FP") != nullptr) feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
   try {
     return dispatch(argc, argv);
   } catch (const quern::InputErrors& errors) {

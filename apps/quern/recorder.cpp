@@ -74,10 +74,6 @@ double time_of_revolution(Scene scene, double revolutions) {
   return run_duration(scene, kFine);
 }
 
-const char* precision_name(const Scene& scene) {
-  return scene.run.precision == Precision::kDouble ? "double" : "mixed";
-}
-
 const char* target_name(const Scene& scene) {
   return scene.run.precision == Precision::kDouble ? choose_kernels<double>().target
                                                    : choose_kernels<float>().target;
@@ -103,6 +99,10 @@ std::uint64_t peak_memory() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
+
+const char* precision_name(const Scene& scene) {
+  return scene.run.precision == Precision::kDouble ? "double" : "mixed";
 }
 
 Recorder::Recorder(const std::string& folder, const Scene& scene, double dt,

@@ -61,6 +61,8 @@ class Recorder {
   double last_power_ = 0, recorded_power_ = 0;
 };
 
+const char* precision_name(const Scene& scene);
+
 // Start of the recorded window, s.
 double record_start(const Scene& scene);
 

@@ -124,10 +124,6 @@ class Run {
                          header.simd_target, target));
   }
 
-  static const char* precision_of(const Scene& scene) {
-    return scene.run.precision == Precision::kDouble ? "double" : "mixed";
-  }
-
   static std::string start_path(const Scene& scene) {
     const fs::path path = fs::path(scene.folder) / scene.run.start_file;
     return fs::is_directory(path) ? usable_checkpoint(path.string()) : path.string();
@@ -198,11 +194,11 @@ class Run {
   void start_from(const std::string& path) {
     Scene& scene = loaded_.scene;
     const CheckpointHeader header = read_checkpoint_header(path);
-    if (header.precision != precision_of(scene)) {
+    if (header.precision != precision_name(scene)) {
       throw UserError(fmt::format(
           "run.start_file: '{}' holds a run of precision \"{}\", this scene asks for \"{}\"; set "
           "run.precision",
-          path, header.precision, precision_of(scene)));
+          path, header.precision, precision_name(scene)));
     }
     warn_of_target(header);
     const std::vector<ParticleSpec> there =
@@ -310,7 +306,7 @@ class Run {
     header.scene_text = scene_to_toml(loaded_.scene);
     header.scene_name = options_.scene;
     header.simd_target = stepper_->target();
-    header.precision = precision_of(loaded_.scene);
+    header.precision = precision_name(loaded_.scene);
     header.version = QUERN_VERSION;
     header.time = world_.time();
     header.step = world_.clock.step;

@@ -43,6 +43,22 @@ TYPED_TEST(Account, OfALabMillClosesAndItsPartsAreWhatTheySay) {
   EXPECT_LT(numerical_loss_share(l), 0.05);
 }
 
+// A charge that falls under the drag of settling. The drag acts between a step's kick and its drift, and
+// the account values forces by the velocity after it: it closes to drag x dt, here 1.2e-4.
+TYPED_TEST(Account, NamesWhatTheDragOfSettlingTakes) {
+  World<TypeParam> world =
+      world_of<TypeParam>(shipped_scene("lab_mill_spheres", {"run.settle=none"}));
+  world.moving_walls = false;
+  world.drag = std::exp(-12 * world.clock.dt);
+  Stepper<TypeParam> stepper(world, 1);
+  run_until(world, stepper, 0.3);
+  const Ledger& l = world.ledger;
+  std::printf("  error %.2g; drag %.3g J of gravity's %.3g J\n", ledger_error(l), l.drag_loss,
+              l.gravity_work);
+  EXPECT_GT(l.drag_loss, 0.1 * l.gravity_work);
+  EXPECT_LT(ledger_error(l), 1.2e-4);
+}
+
 // Collisions at random phases and angles: loss that is error of the step, over what came in.
 template <class Real>
 double loss_at(double steps_per_contact) {

@@ -13,6 +13,7 @@ import subprocess
 import tempfile
 import time
 import unittest
+import unittest.mock
 
 import h5py
 
@@ -277,7 +278,9 @@ class Failures(Case):
         result = self.run_two(', velocity = ["0 m/s", "0 m/s", "-300 m/s"]')
         self.goes_wrong(result, "an overlap reached 1.", "particle 0", "against wall 'floor'")
 
+    @unittest.mock.patch.dict(os.environ)
     def test_by_a_number_that_is_none(self):
+        os.environ.pop("QUERN_TRAP_FP", None)
         result = self.run_two(', velocity = ["1e200 m/s", "0 m/s", "0 m/s"]')
         self.goes_wrong(result, "not finite", "particle 0")
 

@@ -299,10 +299,12 @@ Moved move_sphere(const MoveView<Real>& m, std::size_t k, const double* sums, do
   Moved out;
   out.velocity = m.drag * kicked;
   out.place = x + dt * out.velocity;
-  out.spin = m.drag * (w + m.kick * torque / inertia);
+  const Vec3 spin_kicked = w + m.kick * torque / inertia;
+  out.spin = m.drag * spin_kicked;
   out.translational = 0.5 * mass * v.dot(kicked);
-  out.rotational = 0.5 * inertia * w.dot(out.spin);
-  out.drag_loss = 0.5 * mass * (kicked.squaredNorm() - out.velocity.squaredNorm());
+  out.rotational = 0.5 * inertia * w.dot(spin_kicked);
+  out.drag_loss = 0.5 * mass * (kicked.squaredNorm() - out.velocity.squaredNorm()) +
+                  0.5 * inertia * (spin_kicked.squaredNorm() - out.spin.squaredNorm());
   Vec3 line;
   for (int a = 0; a < 3; ++a) {
     line[a] = m.list_place[a][k] + m.list_time * static_cast<double>(m.list_velocity[a][k]);

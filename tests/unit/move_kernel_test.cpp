@@ -149,7 +149,7 @@ void check_move(std::size_t count, unsigned seed) {
   for (std::size_t k = kFirst + count; k < crowd.now.size(); ++k) EXPECT_TRUE(is_kept(crowd, k));
   EXPECT_NEAR(got.translational, sum.translational, kUlps * scale.translational);
   EXPECT_NEAR(got.rotational, sum.rotational, kUlps * scale.rotational);
-  EXPECT_NEAR(got.drag_loss, sum.drag_loss, kUlps * scale.translational);
+  EXPECT_NEAR(got.drag_loss, sum.drag_loss, kUlps * (scale.translational + scale.rotational));
   EXPECT_NEAR(got.momentum[1], sum.momentum[1], kUlps * scale.momentum[1]);
   EXPECT_NEAR(got.moment_of_mass[2], sum.moment_of_mass[2], kUlps * scale.moment_of_mass[2]);
   EXPECT_NEAR(got.max_deviation2, sum.max_deviation2, kUlps * 10);

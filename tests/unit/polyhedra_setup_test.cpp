@@ -355,6 +355,27 @@ TEST(PolyhedronSteps, AreThoseOfThePapersMill) {
   EXPECT_LT(fine / 1.12e-5, kRefusedSteps);
 }
 
+// A cube of edge a on its face: k_V a^2 dt / m is its speed after one step.
+TEST(PolyhedronSteps, TellHowHighTheVolumeModelThrowsAFlatFace) {
+  Scene scene = shipped_scene("lab_mill_faceted");
+  const DrawnScene all = drawn(scene);
+  EXPECT_EQ(flat_face_toss(scene, all.seeds, 1e-5), 0);
+  scene.contact.normal_model = NormalModel::kVolume;
+  const Shape cube = test::built_box({1, 1, 1});
+  ParticleSeed seed = all.seeds.front();
+  seed.shape = &cube;
+  seed.radius = 0.01;
+  const double mass = scene.materials[seed.material].density * sphere_volume(0.01);
+  const double area = std::pow(sphere_volume(0.01), 2.0 / 3);
+  for (const double stiffness : {1e4, 1e5 / 0.01}) {  // given; that of the spring over the radius
+    if (stiffness < 1e6) scene.contact.volume_stiffness = stiffness;
+    if (stiffness > 1e6) scene.contact.volume_stiffness.reset();
+    const double speed = stiffness * area * 1e-5 / mass;
+    const double height = speed * speed / (2 * scene.run.gravity.norm());
+    EXPECT_NEAR(flat_face_toss(scene, {&seed, 1}, 1e-5) / (height / 0.02), 1, 1e-12);
+  }
+}
+
 // Both sides of the laboratory scenes keep above the number of steps that is warned of.
 TEST(PolyhedronSteps, SufficeInTheLaboratoryScenes) {
   for (const char* name : {"box_packing", "lab_mill", "lab_mill_faceted"}) {

@@ -2,6 +2,7 @@
 #include "kernels/pairs/wall_patch.h"
 
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 
 #include <cmath>
 #include <vector>
@@ -160,7 +161,8 @@ void expect_same_cut(const Shape& shape, const Plane& plane, int& by_edges) {
   EXPECT_NEAR(a.depth, b.depth, 2e-15);
 }
 
-TEST(PlaneCut, IsTheSameByEdgesAndByPolygons) {
+// Sections of rocks and boxes by all kinds of planes.
+void expect_same_cuts() {
   Random random(3);
   int by_edges = 0, cuts = 0;
   for (unsigned seed = 1; seed <= 20; ++seed) {
@@ -184,6 +186,17 @@ TEST(PlaneCut, IsTheSameByEdgesAndByPolygons) {
     }
   }
   EXPECT_GT(by_edges, cuts);
+}
+
+TEST(PlaneCut, IsTheSameByEdgesAndByPolygonsOnEveryTarget) {
+  for (const auto target : hwy::SupportedAndGeneratedTargets()) {
+    SCOPED_TRACE(hwy::TargetName(target));
+    hwy::SetSupportedTargetsForTest(target);
+    hwy::GetChosenTarget().Update(target);
+    expect_same_cuts();
+  }
+  hwy::SetSupportedTargetsForTest(0);
+  hwy::GetChosenTarget().DeInit();
 }
 
 TEST(WallPatch, PlanesThatMissLeaveNothing) {
