@@ -175,7 +175,7 @@ void Recorder::write_summary(World<Real>& world, const RunFigures& figures) {
   s.set("spheres", world.particles.size());
   s.set("polyhedra", world.polyhedra.size());
   s.set("steps", world.clock.step);
-  s.set("time_s", world.time());
+  s.set("time_s", world.wall_time());
   s.set("finished", figures.finished);
   if (!figures.error.empty()) s.set("error", figures.error);
   s.set("wall_s", figures.wall_seconds);

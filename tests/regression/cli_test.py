@@ -220,6 +220,15 @@ class Summary(Case):
         self.assertEqual(self.summary()["state_hash"], first)
 
 
+LAW = """[materials.ore]
+density = "4500 kg/m^3"
+[contact]
+normal_stiffness = "1e5 N/m"
+tangential_stiffness = "4e4 N/m"
+restitution = 0.5
+sliding_friction = 0.3
+"""
+
 # Two spheres without gravity, in a domain of their own.
 TWO = """format = 1
 [run]
@@ -229,14 +238,7 @@ gravity = ["0 m/s^2", "0 m/s^2", "0 m/s^2"]
 [domain]
 low = ["-0.1 m", "-0.1 m", "-0.1 m"]
 high = ["0.1 m", "0.1 m", "0.1 m"]
-[materials.ore]
-density = "4500 kg/m^3"
-[contact]
-normal_stiffness = "1e5 N/m"
-tangential_stiffness = "4e4 N/m"
-restitution = 0.5
-sliding_friction = 0.3
-[[walls]]
+""" + LAW + """[[walls]]
 name = "floor"
 material = "ore"
 point = ["0 m", "0 m", "-50 mm"]
@@ -310,14 +312,7 @@ settle = "%s"
 duration = "0.02 s"
 time_step = "5e-5 s"
 gravity = ["0 m/s^2", "0 m/s^2", "-9.81 m/s^2"]
-[materials.ore]
-density = "4500 kg/m^3"
-[contact]
-normal_stiffness = "1e5 N/m"
-tangential_stiffness = "4e4 N/m"
-restitution = 0.5
-sliding_friction = 0.3
-[[walls]]
+""" + LAW + """[[walls]]
 name = "box"
 material = "ore"
 low = ["0 m", "0 m", "0 m"]
@@ -370,6 +365,7 @@ count = 300
         process.send_signal(signal.SIGTERM)
         self.assertEqual(process.wait(timeout=60), 0)
         self.assertFalse(self.summary()["finished"])
+        self.assertEqual(self.summary()["time_s"], 0)  # the mill has not started
         self.expect(0, quern("resume", self.out))
         self.assertEqual(self.summary()["state_hash"], straight)
 

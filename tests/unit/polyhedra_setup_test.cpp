@@ -275,8 +275,8 @@ TYPED_TEST(PolyhedronWorld, NumbersItsBodiesBehindAllSpheresThatComeLater) {
   const double gravity = world.gravity.norm(), h = 0.5 * world.clock.dt * gravity;
   EXPECT_EQ(world.polyhedra.velocity(1), late.velocity - 0.5 * world.clock.dt * world.gravity);
   EXPECT_NEAR(world.ledger.start_kinetic, 0.5 * mass * 9 - 0.5 * (mass + ball) * h * h,
-              1e-14 * mass * 9);
-  EXPECT_NEAR(world.ledger.gravity_work / ((mass + ball) * world.clock.dt * gravity * h), 1, 1e-6);
+              1e-15 * mass * 9);
+  EXPECT_NEAR(world.ledger.gravity_work / ((mass + ball) * world.clock.dt * gravity * h), 1, 1e-7);  // f32 mass
   EXPECT_EQ(world.clock.list_stale, 1u);
 }
 
