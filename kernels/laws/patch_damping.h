@@ -6,7 +6,8 @@
 // A patch has one spring and one dashpot, in its centroid. While a whole face rests on a wall the
 // centroid hardly moves when the body rocks, so the dashpot sees nothing and the body rocks for
 // ever. These are the moments of the same dashpots spread over a disc of the patch's area A,
-// bounded by what the normal force and friction on that disc can give; they vanish with the patch.
+// bounded by what the normal force and friction on that disc can give; they vanish with the patch,
+// and where an unclamped contact pulls.
 // w is the spin of i relative to j, n the normal, c_n and c_t the dashpots of the contact.
 //
 // They are taken from the spin half a step ago. As the dashpots of the force they are therefore
@@ -37,8 +38,7 @@ inline double patch_mobility(double inverse_inertia_i, double contacts_i, double
                   contacts_i * inverse_inertia_i + contacts_j * inverse_inertia_j);
 }
 
-// Moment on i, N m; -moment acts on j. `spin` = w_i - w_j (rad/s), area (m^2), normal_force >= 0
-// (N).
+// Moment on i, N m; -moment acts on j. `spin` = w_i - w_j (rad/s), area (m^2), normal_force (N).
 inline Vec3 patch_moment(const PatchDashpot& dashpot, const Vec3& normal, const Vec3& spin,
                          double area, double normal_force) noexcept {
   const auto damped = [&](double c, double most, const Vec3& w) {
@@ -46,12 +46,12 @@ inline Vec3 patch_moment(const PatchDashpot& dashpot, const Vec3& normal, const 
     const double size = bounded * w.norm();
     return Vec3((size > most ? -bounded * most / size : -bounded) * w);
   };
-  const double radius = std::sqrt(area / kPi);
+  const double radius = std::sqrt(area / kPi), pressed = std::max(0.0, normal_force);
   const Vec3 drilling = normal.dot(spin) * normal;
-  return damped(dashpot.normal_damping * area / (4 * kPi), 0.5 * normal_force * radius,
+  return damped(dashpot.normal_damping * area / (4 * kPi), 0.5 * pressed * radius,
                 spin - drilling) +
          damped(dashpot.tangential_damping * area / (2 * kPi),
-                2.0 / 3.0 * dashpot.sliding_friction * normal_force * radius, drilling);
+                2.0 / 3.0 * dashpot.sliding_friction * pressed * radius, drilling);
 }
 
 }  // namespace quern

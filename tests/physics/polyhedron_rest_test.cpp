@@ -347,6 +347,10 @@ TEST(PatchDamping, IsThatOfADiscOfDashpotsUpToItsLimits) {
   EXPECT_NEAR(fast.z(), -2.0 / 3 * 0.5 * force * radius, 1e-12);
   EXPECT_EQ(patch_moment(dashpot, n, spin, 0, force), Vec3::Zero());
   EXPECT_EQ(patch_moment(dashpot, n, Vec3::Zero(), area, force), Vec3::Zero());
+  // An unclamped contact pulls at its end; the patch must neither drive the spin nor divide by
+  // zero.
+  EXPECT_EQ(patch_moment(dashpot, n, spin, area, -force), Vec3::Zero());
+  EXPECT_EQ(patch_moment(dashpot, n, Vec3::Zero(), area, -force), Vec3::Zero());
 }
 
 }  // namespace
