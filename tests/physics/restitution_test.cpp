@@ -1,10 +1,11 @@
 // The coefficient of restitution that a collision delivers, at any phase of the arrival.
 //
 // A hundred isolated collisions run side by side in one world; they differ in the share of a step
-// that passes before first touch. Three oracles: the coefficient asked for (at 50 steps per
-// contact), the discrete scheme of one contact in plain scalar code, which every single collision
-// must follow to rounding, and means and standard deviations over a thousand phases from an
-// independent program (kTable), which the scheme was chosen by.
+// that passes before first touch. Sphere against sphere, sphere against wall, and a cube that lands
+// flat on a wall (the overlap of a polyhedron is its chord). Three oracles: the coefficient asked
+// for (at 50 steps per contact), the discrete scheme of one contact in plain scalar code, which
+// every single collision must follow to rounding, and means and standard deviations over a thousand
+// phases from an independent program (kTable), which the scheme was chosen by.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -21,7 +22,12 @@ constexpr double kDiameter = 1.0 / 64;  // m, exact in f32
 constexpr double kSpeed = 1;            // m/s, of approach
 constexpr int kPhases = 100;
 
-enum class Partner { kSphere, kWall };
+enum class Partner { kSphere, kWall, kCubeOnWall };
+constexpr std::array<Partner, 3> kPartners = {Partner::kSphere, Partner::kWall,
+                                              Partner::kCubeOnWall};
+const char* name_of(Partner partner) {
+  return partner == Partner::kSphere ? "spheres" : partner == Partner::kWall ? "wall" : "flat cube";
+}
 
 struct Setting {
   double restitution = 0.5, steps_per_contact = 50;
@@ -30,11 +36,21 @@ struct Setting {
 };
 
 double reduced_mass(Partner partner) {
-  return sphere_mass(kDiameter) * (partner == Partner::kWall ? 1 : 0.5);
+  return sphere_mass(kDiameter) * (partner == Partner::kSphere ? 0.5 : 1);
 }
 
 double step_of(const Setting& s) {
   return normal_contact_time(reduced_mass(s.partner), Law().kn) / s.steps_per_contact;
+}
+
+const double kCubeSide = kDiameter * std::cbrt(kPi / 6);  // of the volume of the sphere
+
+void make_cubes(Scene& scene) {
+  scene.folder = QUERN_SOURCE_DIR "/apps/shapes";
+  scene.contact.overlap = OverlapMeasure::kChord;
+  scene.particles[0].name = "cube";
+  scene.particles[0].shape = ShapeKind::kPolyhedron;
+  scene.particles[0].meshes = {"cube.stl"};
 }
 
 // Share of a step between the start and first touch.
@@ -48,10 +64,14 @@ std::vector<double> delivered(const Setting& s) {
   law.normal_force = s.normal_force;
   const double dt = step_of(s);
   Scene scene = small_scene(law, dt);
-  if (s.partner == Partner::kWall) add_plane(scene, Vec3::Zero(), Vec3::UnitX());
+  if (s.partner != Partner::kSphere) add_plane(scene, Vec3::Zero(), Vec3::UnitX());
+  if (s.partner == Partner::kCubeOnWall) make_cubes(scene);
   for (int k = 0; k < kPhases; ++k) {
     const double y = 0.05 * k - 2.5, gap = phase(k) * kSpeed * dt;
-    if (s.partner == Partner::kWall) {
+    if (s.partner == Partner::kCubeOnWall) {
+      add_sphere(scene, kDiameter, {0.5 * kCubeSide + gap, y, 0}, {-kSpeed, 0, 0});
+      scene.particles[0].explicit_particles.back().orientation = Turn{Vec3::UnitX(), 0};
+    } else if (s.partner == Partner::kWall) {
       add_sphere(scene, kDiameter, {0.5 * kDiameter + gap, y, 0}, {-kSpeed, 0, 0});
     } else {
       add_sphere(scene, kDiameter, {kDiameter + gap, y, 0}, {-0.5 * kSpeed, 0, 0});
@@ -63,10 +83,11 @@ std::vector<double> delivered(const Setting& s) {
   run_steps(world, stepper, static_cast<int>(2.5 * s.steps_per_contact) + 10);
   std::vector<double> rebound;
   for (Index k = 0; k < kPhases; ++k) {
-    const double speed = s.partner == Partner::kWall
-                             ? velocity_of(world, k).x()
-                             : (velocity_of(world, 2 * k) - velocity_of(world, 2 * k + 1)).x();
-    rebound.push_back(speed / kSpeed);
+    const Vec3 velocity = s.partner == Partner::kCubeOnWall ? Vec3(world.polyhedra.velocity(k))
+                          : s.partner == Partner::kWall
+                              ? velocity_of(world, k)
+                              : Vec3(velocity_of(world, 2 * k) - velocity_of(world, 2 * k + 1));
+    rebound.push_back(velocity.x() / kSpeed);
   }
   return rebound;
 }
@@ -120,20 +141,20 @@ TYPED_TEST_SUITE(Restitution, Precisions, Names);
 constexpr std::array<double, 5> kAsked = {0.3, 0.5, 0.65, 0.8, 0.9};
 
 TYPED_TEST(Restitution, ClampedAtFiftyStepsIsWhatWasAskedForAtEveryPhase) {
-  for (const Partner partner : {Partner::kSphere, Partner::kWall}) {
+  for (const Partner partner : kPartners) {
     for (const double e : kAsked) {
       const Setting s = {e, 50, NormalForce::kClamped, partner};
       const Spread got = spread_of(delivered<TypeParam>(s));
       // The acceptance limits of the scheme.
-      EXPECT_NEAR(got.mean, e, 1e-3) << "e " << e << (partner == Partner::kWall ? " wall" : "");
-      EXPECT_GT(got.low, e - 3e-3) << "e " << e;
-      EXPECT_LT(got.high, e + 3e-3) << "e " << e;
+      EXPECT_NEAR(got.mean, e, 1e-3) << "e " << e << ", " << name_of(partner);
+      EXPECT_GT(got.low, e - 3e-3) << "e " << e << ", " << name_of(partner);
+      EXPECT_LT(got.high, e + 3e-3) << "e " << e << ", " << name_of(partner);
     }
   }
 }
 
 TYPED_TEST(Restitution, UnclampedAtFiftyStepsIsRightInTheMeanAndWithinHalfAStepOfDamping) {
-  for (const Partner partner : {Partner::kSphere, Partner::kWall}) {
+  for (const Partner partner : kPartners) {
     for (const double e : kAsked) {
       const Setting s = {e, 50, NormalForce::kUnclamped, partner};
       const Spread got = spread_of(delivered<TypeParam>(s));
@@ -152,10 +173,11 @@ TYPED_TEST(Restitution, OfEveryCollisionIsThatOfTheDiscreteScheme) {
   // Rounding: the overlap is a difference of coordinates below 3 m, 4 ulp of them (9e-16 m) is
   // 4e-11 of the largest overlap (2e-5 m); near first touch it decides when the contact ends, which
   // is not near a tie at these phases. f32 forces: 2^-24 an operation, about 20 operations a step,
-  // 20 steps.
-  const double tolerance = this->kMixed ? 20 * 20 * 6e-8 : 1e-9;
+  // 20 steps. The law of polyhedra is f64 in both precisions.
+  const double sphere_tolerance = this->kMixed ? 20 * 20 * 6e-8 : 1e-9;
   for (const NormalForce mode : {NormalForce::kClamped, NormalForce::kUnclamped}) {
-    for (const Partner partner : {Partner::kSphere, Partner::kWall}) {
+    for (const Partner partner : kPartners) {
+      const double tolerance = partner == Partner::kCubeOnWall ? 1e-9 : sphere_tolerance;
       for (const double steps : {4.4, 10.0, 20.0, 50.0}) {
         for (const double e : {0.3, 0.8}) {
           const Setting s = {e, steps, mode, partner};
@@ -163,7 +185,8 @@ TYPED_TEST(Restitution, OfEveryCollisionIsThatOfTheDiscreteScheme) {
           for (int k = 0; k < kPhases; ++k) {
             EXPECT_NEAR(got[static_cast<std::size_t>(k)], scheme(s, zeta_of(s), phase(k)),
                         tolerance)
-                << "e " << e << ", " << steps << " steps, phase " << phase(k);
+                << "e " << e << ", " << steps << " steps, phase " << phase(k) << ", "
+                << name_of(partner);
           }
         }
       }
@@ -207,7 +230,7 @@ TYPED_TEST(Restitution, OverStepsPerContactIsThatOfTheTable) {
 TYPED_TEST(Restitution, OfAnElasticCollisionIsOne) {
   // With no dashpot the scheme is leapfrog; an isolated hit that starts and ends between steps is
   // in error by (w dt)^2 / 8 = 5e-4 of the speed at most at 50 steps.
-  for (const Partner partner : {Partner::kSphere, Partner::kWall}) {
+  for (const Partner partner : kPartners) {
     const Spread got = spread_of(delivered<TypeParam>({1.0, 50, NormalForce::kClamped, partner}));
     EXPECT_GT(got.low, 1 - 5e-4);
     EXPECT_LT(got.high, 1 + 5e-4);
@@ -215,11 +238,12 @@ TYPED_TEST(Restitution, OfAnElasticCollisionIsOne) {
 }
 
 TYPED_TEST(Restitution, BelowCriticalDampingClampedDeliversThatOfCriticalDamping) {
-  for (const double e : {0.01, 0.1}) {
-    const Spread got =
-        spread_of(delivered<TypeParam>({e, 50, NormalForce::kClamped, Partner::kSphere}));
-    EXPECT_NEAR(got.mean, std::exp(-2.0), 6e-3) << e;
-    EXPECT_LT(got.high - got.low, 1.2e-2) << e;
+  for (const Partner partner : kPartners) {
+    for (const double e : {0.01, 0.1}) {
+      const Spread got = spread_of(delivered<TypeParam>({e, 50, NormalForce::kClamped, partner}));
+      EXPECT_NEAR(got.mean, std::exp(-2.0), 6e-3) << e << ", " << name_of(partner);
+      EXPECT_LT(got.high - got.low, 1.2e-2) << e << ", " << name_of(partner);
+    }
   }
 }
 
