@@ -10,8 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
-#include "kernels/contact.h"
+#include "kernels/body_contacts.h"
 
 namespace quern::twin {
 
@@ -26,23 +27,34 @@ Coefficients coefficients(const LawTable<Real>& law, Index a, Index b) {
           law.tangential_damping[row], law.sliding_friction[row],     law.rolling_friction[row]};
 }
 
-// One side of a contact. A wall has no mass (inverse_mass 0), no arm and an infinite radius.
+// One side of a contact. A wall has no mass (inverse_mass 0), no lever and an infinite radius.
 struct Side {
   Vec3 spin = Vec3::Zero();
   double inverse_mass = 0, radius = HUGE_VAL, contacts = 0;
-  double arm = 0, arm_old = 0;
-  // r^2/I over the whole, I = 2/5 m r^2: what the lever adds to the mobility of the contact point.
-  double turning() const { return 2.5 * inverse_mass; }
+  // r^2/I: what the lever adds to the mobility of the contact point. Spheres: over the whole
+  // radius, I = 2/5 m r^2; polyhedra: lever^2 over the least principal moment.
+  double turning = 0;
+  Vec3 lever = Vec3::Zero(), lever_old = Vec3::Zero();  // centre to contact point; a step ago
   double inverse_inertia() const { return 2.5 * inverse_mass / (radius * radius); }
 };
+
+// A normal spring that is not kn times the overlap: capped, or of the volume model.
+struct NormalSpring {
+  double force = 0, stored = 0;  // N, J, at full stiffness
+};
+inline NormalSpring capped_spring(double kn, double overlap, double cap) {
+  if (overlap < cap) return {kn * overlap, 0.5 * kn * overlap * overlap};
+  return {kn * cap, 0.5 * kn * cap * cap + kn * cap * (overlap - cap)};
+}
 
 struct Contact {
   Side i, j;
   Vec3 normal = Vec3::UnitX(), normal_old = Vec3::UnitX();
-  Vec3 velocity = Vec3::Zero();  // of centre i - centre j (wall: contact point)
+  Vec3 velocity = Vec3::Zero();      // of centre i - centre j (wall: contact point)
   Vec3 velocity_old = Vec3::Zero();  // the same, where the contact point of a wall was a step ago
   double overlap = 0, overlap_old = 0;
-  double extent = 0;  // m, lengths whose f64 rounding enters the overlap
+  std::optional<NormalSpring> spring;  // none: kn times the overlap
+  double extent = 0;                   // m, lengths whose f64 rounding enters the overlap
   bool touching = false;
 };
 
@@ -54,12 +66,14 @@ struct Options {
   double dt = 0;
   bool clamped = true, rolling = false;
   double eps = 0;
+  double history_eps = 0;  // the spacing of stored springs and normals, where it is another
 };
 
 struct Response {
   Vec3 force = Vec3::Zero(), tangential = Vec3::Zero(), moment = Vec3::Zero();
   Vec3 spring = Vec3::Zero(), torque_i = Vec3::Zero(), torque_j = Vec3::Zero();
   double work = 0, elastic = 0, slide = 0, tangential_damping = 0, numerical_loss = 0;
+  double reduction = 1;  // kn' / kn
   // Scales of the errors of the above.
   double force_error = 0, moment_error = 0, spring_error = 0, torque_error = 0;
   double work_error = 0, elastic_error = 0, slide_error = 0, damping_error = 0, loss_error = 0;
@@ -80,31 +94,34 @@ struct Terms {
   double kn, kt, cn, ct;  // as they act
   Vec3 slip, slip_old;    // velocity of the contact point, tangential and (old) whole
   Vec3 at_point;
-  double vn, speed;  // speed: bound of all velocities at the contact
+  double vn, speed;              // speed: bound of all velocities at the contact
+  double elastic_force, stored;  // of the normal spring, as it acts
 };
 
 inline Terms terms(const Coefficients& k, const Contact& c, double dt) {
   const double m_e = 1 / (c.i.inverse_mass + c.j.inverse_mass);
-  const double m_t = 1 / (1 / m_e + c.i.turning() + c.j.turning());
+  const double m_t = 1 / (1 / m_e + c.i.turning + c.j.turning);
   const double cn = k.normal_damping * std::sqrt(m_e);
   // The table holds 2 zeta sqrt(2/7 kt), for spheres, whose m_t is 2/7 m_e.
   const double ct = k.tangential_damping * std::sqrt(3.5 * m_t);
   const double load_n = c.i.contacts * c.i.inverse_mass + c.j.contacts * c.j.inverse_mass;
-  const double load_t = c.i.contacts * (c.i.inverse_mass + c.i.turning()) +
-                        c.j.contacts * (c.j.inverse_mass + c.j.turning());
+  const double load_t = c.i.contacts * (c.i.inverse_mass + c.i.turning) +
+                        c.j.contacts * (c.j.inverse_mass + c.j.turning);
   Terms t;
   t.kn = k.kn / (1 + dt * cn / (2 * m_e));
   t.kt = k.kt / (1 + dt * ct / (2 * m_t));
   t.cn = cn / (1 + 0.5 * dt * cn / m_e * std::max(1.0, m_e * load_n));
   t.ct = ct / (1 + 0.5 * dt * ct / m_t * std::max(1.0, m_t * load_t));
   const Vec3& n = c.normal;
-  t.at_point = c.velocity + c.i.spin.cross(-c.i.arm * n) - c.j.spin.cross(c.j.arm * n);
+  t.at_point = c.velocity + c.i.spin.cross(c.i.lever) - c.j.spin.cross(c.j.lever);
   t.slip = t.at_point - n.dot(t.at_point) * n;
-  t.slip_old = c.velocity_old + c.i.spin.cross(-c.i.arm_old * c.normal_old) -
-               c.j.spin.cross(c.j.arm_old * c.normal_old);
-  t.vn = n.dot(c.velocity);
+  t.slip_old = c.velocity_old + c.i.spin.cross(c.i.lever_old) - c.j.spin.cross(c.j.lever_old);
+  t.vn = n.dot(t.at_point);
   t.speed =
-      c.velocity.norm() + std::abs(c.i.arm) * c.i.spin.norm() + std::abs(c.j.arm) * c.j.spin.norm();
+      c.velocity.norm() + c.i.lever.norm() * c.i.spin.norm() + c.j.lever.norm() * c.j.spin.norm();
+  const NormalSpring linear = {k.kn * c.overlap, 0.5 * k.kn * c.overlap * c.overlap};
+  t.elastic_force = t.kn / k.kn * c.spring.value_or(linear).force;
+  t.stored = t.kn / k.kn * c.spring.value_or(linear).stored;
   return t;
 }
 
@@ -114,7 +131,7 @@ inline double normal_force(const Contact& c, const Options& o, const Terms& t, R
   r.fresh = t.vn < 0 && c.overlap < closing;
   r.fresh_margin = std::abs(c.overlap - closing) / (c.overlap + std::abs(closing));
   const double weight = o.clamped && r.fresh ? 0.5 + c.overlap / closing : 1;
-  const double force = t.kn * c.overlap - weight * t.cn * t.vn;
+  const double force = t.elastic_force - weight * t.cn * t.vn;
   return o.clamped ? std::max(0.0, force) : force;
 }
 
@@ -150,7 +167,8 @@ inline Vec3 rolling_moment(const Coefficients& k, const Contact& c, const Option
   return -roll / rate * std::min(k.mur / curvature * std::max(fn, 0.0), stop);
 }
 
-// Work of the contact over the last step and where it went.
+// Work of the contact over the last step and where it went. The numerical loss is that of a linear
+// spring, whatever the spring is.
 inline void ledger(const Contact& c, const History& old, const Options& o, const Terms& t,
                    const Vec3& spring_old, const Vec3& spring_trial, Response& r) {
   const Vec3 spin = c.i.spin - c.j.spin;
@@ -159,7 +177,7 @@ inline void ledger(const Contact& c, const History& old, const Options& o, const
   const double fn_old = old.force.dot(c.normal_old);
   Vec3 dashpot = old.force - fn_old * c.normal_old + t.kt * old.spring;
   if (c.touching) {
-    r.elastic = 0.5 * t.kn * c.overlap * c.overlap + 0.5 * t.kt * r.spring.squaredNorm();
+    r.elastic = t.stored + 0.5 * t.kt * r.spring.squaredNorm();
     r.slide = 0.5 * t.kt * (spring_old + r.spring).dot(spring_trial - r.spring);
     dashpot += r.tangential + t.kt * r.spring;
     if (r.fresh) r.numerical_loss = -0.5 * t.kn * c.overlap * (o.dt * t.vn + c.overlap);
@@ -179,23 +197,25 @@ inline void set_errors(const Coefficients& k, const Contact& c, const History& o
   const double slack = 0x1p-52 * c.extent;  // of the overlap, from f64 positions
   const double spring = old.spring.norm() + o.dt * t.speed;
   const double reach = std::abs(c.overlap) + o.dt * t.speed;
-  const double size =
-      t.kn * std::abs(c.overlap) + 1.5 * t.cn * t.speed + t.kt * spring + t.ct * t.speed;
+  const double size = std::max(t.kn * std::abs(c.overlap), std::abs(t.elastic_force)) +
+                      1.5 * t.cn * t.speed + t.kt * spring + t.ct * t.speed;
+  const double carried = o.history_eps * old.spring.norm();
   const double before = old.force.norm();
   const Vec3 spin = c.i.spin - c.j.spin;
   const double spins = c.i.spin.norm() + c.j.spin.norm();
   const double roll = (spin - spin.dot(c.normal) * c.normal).norm();
   const double rolling_radius = 1 / (1 / c.i.radius + 1 / c.j.radius);
-  r.force_error = (1 + k.mu) * (o.eps * size + t.kn * slack);
-  r.spring_error = o.eps * spring + (k.kt > 0 ? k.mu / t.kt * r.force_error : 0);
+  r.force_error = (1 + k.mu) * (o.eps * size + t.kn * slack + t.kt * carried);
+  r.spring_error = o.eps * spring + carried + (k.kt > 0 ? k.mu / t.kt * r.force_error : 0);
   r.moment_error = k.mur * rolling_radius * r.force_error +
                    o.eps * r.moment.norm() * (1 + spins / std::max(roll, 1e-300));
-  const double arm = std::max(std::abs(c.i.arm), std::abs(c.j.arm));
+  const double arm = std::max(c.i.lever.norm(), c.j.lever.norm());
   r.torque_error = arm * (r.force_error + o.eps * size) + r.moment_error;
   r.work_error = o.dt * (t.speed * (r.force_error + o.eps * (size + before)) +
                          spins * (r.moment_error + o.eps * (r.moment + old.moment).norm()));
-  r.elastic_error = t.kn * std::abs(c.overlap) * (o.eps * std::abs(c.overlap) + slack) +
-                    t.kt * spring * (r.spring_error + o.eps * spring);
+  const double pressed = t.kn * std::abs(c.overlap) * (o.eps * std::abs(c.overlap) + slack);
+  r.elastic_error =
+      std::max(pressed, o.eps * t.stored) + t.kt * spring * (r.spring_error + o.eps * spring);
   r.slide_error = t.kt * spring * (r.spring_error + o.eps * spring);
   r.damping_error =
       o.dt * t.speed * (r.force_error + t.kt * r.spring_error + o.eps * (size + before));
@@ -207,28 +227,31 @@ inline Response respond(const Coefficients& k, const Contact& c, const History& 
                         const Options& o) {
   Response r;
   const Terms t = terms(k, c, o.dt);
+  r.reduction = t.kn / k.kn;
   const double fn = normal_force(c, o, t, r);
   Vec3 spring_old, spring_trial;
   friction(k, c, old, o, t, fn, r, spring_old, spring_trial);
   r.force = fn * c.normal + r.tangential;
   r.moment = rolling_moment(k, c, o, fn);
-  r.torque_i = (-c.i.arm * c.normal).cross(r.force) + r.moment;
-  r.torque_j = (c.j.arm * c.normal).cross(-r.force) - r.moment;
+  r.torque_i = c.i.lever.cross(r.force) + r.moment;
+  r.torque_j = c.j.lever.cross(-r.force) - r.moment;
   ledger(c, old, o, t, spring_old, spring_trial, r);
   set_errors(k, c, old, o, t, r);
   return r;
 }
 
+// A sphere; `outward` is the normal of the contact on its side, from its centre.
 template <class Real>
-Side side_of(const ParticleView<Real>& p, Index at, double overlap, double overlap_old) {
+Side side_of(const ParticleView<Real>& p, Index at, const Contact& c, double outward) {
   Side s;
   const Record<Real>& r = p.record[at];
   s.spin = {static_cast<double>(r.wx), static_cast<double>(r.wy), static_cast<double>(r.wz)};
   s.inverse_mass = static_cast<double>(p.traits[at].inverse_mass);
   s.radius = static_cast<double>(r.radius);
   s.contacts = tag_contacts(p.traits[at].tag);
-  s.arm = s.radius - 0.5 * overlap;
-  s.arm_old = s.radius - 0.5 * overlap_old;
+  s.turning = 2.5 * s.inverse_mass;
+  s.lever = outward * (s.radius - 0.5 * c.overlap) * c.normal;
+  s.lever_old = outward * (s.radius - 0.5 * c.overlap_old) * c.normal_old;
   return s;
 }
 
@@ -255,8 +278,8 @@ Contact sphere_sphere(const StepConstants<Real>& step, const ParticleView<Real>&
   c.overlap = reach - dx.norm();
   c.overlap_old = reach - dx_old.norm();
   c.touching = c.overlap > 0;
-  c.i = side_of(p, i, c.overlap, c.overlap_old);
-  c.j = side_of(p, j, c.overlap, c.overlap_old);
+  c.i = side_of(p, i, c, -1);
+  c.j = side_of(p, j, c, 1);
   return c;
 }
 
@@ -275,8 +298,38 @@ Contact sphere_facet(const ParticleView<Real>& p, const WallContacts& walls, std
   c.velocity = Vec3(a.vx, a.vy, a.vz) - row(8);
   c.velocity_old = Vec3(a.vx, a.vy, a.vz) - row(14);
   c.touching = c.overlap > 0;
-  c.i = side_of(p, walls.particle[k], c.overlap, c.overlap_old);
+  c.i = side_of(p, walls.particle[k], c, -1);
   c.j.spin = row(11);
+  return c;
+}
+
+// Lane k of the contacts of spheres (i) with polyhedra (j); kn for the capped spring.
+template <class Real>
+Contact sphere_polyhedron(const ParticleView<Real>& p, const NearContacts<Real>& near,
+                          std::size_t k, double kn) {
+  using N = NearContacts<Real>;
+  const auto row = [&](int first) {
+    return Vec3(near.row(first)[k], near.row(first + 1)[k], near.row(first + 2)[k]);
+  };
+  const auto old = [&](std::size_t h) {
+    return static_cast<double>(near.history[h * near.stride + k]);
+  };
+  const Record<Real>& a = p.record[near.sphere[k]];
+  Contact c;
+  c.normal = row(N::kNormal);
+  c.overlap = near.row(N::kOverlap)[k];
+  c.normal_old = {old(6), old(7), old(8)};
+  c.overlap_old = old(9);
+  c.velocity = c.velocity_old = Vec3(a.vx, a.vy, a.vz) - row(N::kVelocity);
+  c.touching = c.overlap > 0;
+  c.i = side_of(p, near.sphere[k], c, -1);
+  c.j.spin = row(N::kSpin);
+  c.j.inverse_mass = near.row(N::kInverseMass)[k];
+  c.j.contacts = near.row(N::kContacts)[k];
+  c.j.lever = row(N::kPoint);
+  c.j.lever_old = {old(10), old(11), old(12)};
+  c.j.turning = c.j.lever.squaredNorm() * near.row(N::kMobility)[k];
+  if (near.overlap_cap > 0) c.spring = capped_spring(kn, c.overlap, near.overlap_cap);
   return c;
 }
 

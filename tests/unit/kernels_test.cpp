@@ -1,17 +1,13 @@
 // The contact kernels against their scalar f64 twins, on every SIMD target of this CPU, in both
 // precisions, for every switch of the law and every state of a contact.
 //
-// Tolerances: the twin gives, beside each value, what an error of one unit in the last place in
-// every intermediate result amounts to (sums of magnitudes, before any cancellation). The longest
-// chain, of the tangential force, has some 45 roundings of half a unit each; 24 units cover all of
-// them in the worst case. The largest error met lies between 3 and 5 units.
+// Tolerances: kernel_checks.h. The largest error met lies between 3 and 5 units.
 #include <gtest/gtest.h>
 
 #include <bit>
-#include <limits>
 
 #include "kernels/contact.h"
-#include "tests/support/contact_cases.h"
+#include "tests/support/kernel_checks.h"
 #include "tests/support/trap_fp.h"
 
 namespace quern {
@@ -19,71 +15,17 @@ namespace {
 
 using test::all_options;
 using test::CaseOptions;
+using test::expect_vector;
 using test::for_each_target;
+using test::kEps;
+using test::kUnits;
 using test::PairCases;
 using test::RandomLaw;
+using test::Rows;
+using test::TallyTwin;
 
-constexpr double kUnits = 24;
 // Three f32 vectors (8 lanes beside 8 f64 lanes) and one more.
 constexpr std::size_t kMostContacts = 3 * kPairPad + 1 * 8 + 1;
-
-template <class Real>
-constexpr double kEps = static_cast<double>(std::numeric_limits<Real>::epsilon());
-
-struct Rows {
-  Column<double> rows;
-  explicit Rows(std::size_t particles) {
-    rows.reset((particles + 16) * kRowWidth);
-    rows.fill(0);
-  }
-  TileRows tile(Index first, Index size) { return {rows.data(), first, size}; }
-  Vec3 force(std::size_t row) const { return at(row, 0); }
-  Vec3 torque(std::size_t row) const { return at(row, 3); }
-  double touches(std::size_t row) const { return rows[row * kRowWidth + 6]; }
-
- private:
-  Vec3 at(std::size_t row, std::size_t k) const {
-    const double* r = rows.data() + row * kRowWidth + k;
-    return {r[0], r[1], r[2]};
-  }
-};
-
-// Sums of the twins, and of their errors.
-struct TallyTwin {
-  ContactTally sum, error;
-  void add(const twin::Contact& c, const twin::Response& r) {
-    sum.work += r.work;
-    error.work += r.work_error;
-    sum.elastic += r.elastic;
-    error.elastic += r.elastic_error;
-    sum.slide += r.slide;
-    error.slide += r.slide_error;
-    sum.tangential_damping += r.tangential_damping;
-    error.tangential_damping += r.damping_error;
-    sum.numerical_loss += r.numerical_loss;
-    error.numerical_loss += r.loss_error;
-    const double depth = c.overlap / c.i.radius;
-    sum.contacts += c.touching ? 1 : 0;
-    sum.warnings += c.touching && depth > 0.5 ? 1 : 0;
-    sum.max_overlap = std::max(sum.max_overlap, depth);
-  }
-  void expect(const ContactTally& got, double eps) const {
-    EXPECT_NEAR(got.work, sum.work, kUnits * error.work);
-    EXPECT_NEAR(got.elastic, sum.elastic, kUnits * error.elastic);
-    EXPECT_NEAR(got.slide, sum.slide, kUnits * error.slide);
-    EXPECT_NEAR(got.tangential_damping, sum.tangential_damping, kUnits * error.tangential_damping);
-    EXPECT_NEAR(got.numerical_loss, sum.numerical_loss, kUnits * error.numerical_loss);
-    EXPECT_EQ(got.contacts, sum.contacts);
-    EXPECT_EQ(got.warnings, sum.warnings);
-    // Overlap over radius; the overlap is a difference of lengths some 5 radii long.
-    EXPECT_NEAR(got.max_overlap, sum.max_overlap, kUnits * (eps * sum.max_overlap + 1e-14));
-  }
-};
-
-void expect_vector(const char* what, const Vec3& got, const Vec3& expected, double error) {
-  EXPECT_LE((got - expected).norm(), kUnits * error)
-      << what << ": " << got.transpose() << " for " << expected.transpose();
-}
 
 // Kernel and twin over the first `own` slots as the tile's own, the rest as imported.
 template <class Real>
