@@ -364,21 +364,29 @@ TEST(PolyhedronOverlap, OfAVertexGrazingAFaceIsItsDepth) {
   }
 }
 
-// Two cubes flush on two sides, shifted across by rounding errors: one volume, one chord.
+// Two cubes flush on four sides, shifted across by rounding errors or a little more: one volume,
+// one chord. A shift takes the cubes out of flush; then S holds one side strip (area = overlap h)
+// for each direction of the shift and n tilts by h in each: the width is 1, 2 or 3 times h, less
+// the second order sqrt(1 + strips h^2). A place within rounding of flush is flush: no strips.
 TEST(PolyhedronOverlap, OfFlushCubesDoesNotJump) {
   const Shape cube = box_shape(1, 1, 1);
+  const double h = 0.01;
   ShapePose a, b;
   a.shape = b.shape = &cube;
+  PatchOptions by_width;
+  by_width.overlap = OverlapMeasure::kWidth;
   for (const double shift : {0.0, 1e-16, -1e-16, 1e-12, -1e-12}) {
-    b.place = Vec3(shift, shift, 0.99);
-    const PolyhedronTouch t = touch(a, b);
-    EXPECT_NEAR(t.volume, 0.01, 1e-12 + 2 * std::abs(shift)) << shift;
-    EXPECT_NEAR(t.overlap, 0.01, 1e-4 * 0.01) << shift;
-    // The width sees the side strips once they count: 1, 2 or 3 times, by the tilt of n.
-    PatchOptions options;
-    options.overlap = OverlapMeasure::kWidth;
-    EXPECT_LE(touch(a, b, options).overlap, 3.01 * 0.01) << shift;
-    EXPECT_GE(touch(a, b, options).overlap, 0.99 * 0.01) << shift;
+    for (const Vec3& across : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(1, 1, 0), Vec3(1, -1, 0)}) {
+      SCOPED_TRACE(testing::Message() << shift << " along " << across.transpose());
+      b.place = Vec3(0, 0, 1 - h) + shift * across;
+      const PolyhedronTouch t = touch(a, b);
+      EXPECT_NEAR(t.volume, h, 1e-12 + 2 * std::abs(shift));
+      EXPECT_NEAR(t.overlap, h, 1e-4 * h);
+      const double strips = std::abs(shift) < 1e-15 ? 0 : across.squaredNorm();
+      const double width = (1 + strips) * h / std::sqrt(1 + strips * h * h);
+      // Strips of length 1 - shift, and rounding over h.
+      EXPECT_NEAR(touch(a, b, by_width).overlap, width, 4e-12 * h);
+    }
   }
 }
 
