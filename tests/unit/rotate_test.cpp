@@ -63,20 +63,23 @@ const Vec3 kTumbling(0.35, 0.7, 1.0);
 
 struct Drift {
   double largest = 0, secular = 0;  // of the energy
+  double momentum = 0;              // of the angular momentum, as kept and as I w of the spin
 };
 
 // Eight random spins of size 1 for a time of 1000: the energy error at its largest, and the change
-// of its mean between the first and the last tenth.
+// of its mean between the first and the last tenth; the largest change of angular momentum.
 Drift energy_drift(double dt) {
   Random random(11);
   const std::size_t count = 8;
   Bodies bodies(count);
   std::array<double, count> start{}, first{}, last{};
+  std::array<Vec3, count> momentum;
   for (std::size_t k = 0; k < count; ++k) {
     const Quat q(random.turn());
     const Vec3 spin = random.in_cube(1).normalized();
     bodies.set(k, q, q * Vec3(kTumbling.cwiseProduct(spin)), kTumbling);
     start[k] = 0.5 * kTumbling.dot(spin.cwiseProduct(spin));
+    momentum[k] = bodies.momentum(k);
   }
   Drift drift;
   const int steps = static_cast<int>(std::lround(1000 / dt)), tenth = steps / 10;
@@ -85,6 +88,11 @@ Drift energy_drift(double dt) {
     for (std::size_t k = 0; k < count; ++k) {
       const double error = bodies.energy(k) / start[k] - 1;
       drift.largest = std::max(drift.largest, std::abs(error));
+      const Quat q = bodies.orientation(k);
+      const Vec3 turning = q * Vec3(kTumbling.cwiseProduct(q.conjugate() * bodies.spin(k)));
+      for (const Vec3& now : {bodies.momentum(k), turning}) {
+        drift.momentum = std::max(drift.momentum, (now - momentum[k]).norm() / momentum[k].norm());
+      }
       if (step < tenth) first[k] += error / tenth;
       if (step >= steps - tenth) last[k] += error / tenth;
     }
@@ -98,15 +106,18 @@ Drift energy_drift(double dt) {
 
 // The splitting is second order with a measured constant of 1e-2 (dt |w|)^2, and keeps a shadow
 // energy: what remains of a trend is how well a tenth of the run averages the oscillation.
-TEST(Rotation, TumblingKeepsItsEnergy) {
+TEST(Rotation, TumblingKeepsItsEnergyAndAngularMomentum) {
   const Drift coarse = energy_drift(0.1), fine = energy_drift(0.01);
   RecordProperty("largest", std::to_string(coarse.largest));
   RecordProperty("secular", std::to_string(1e6 * coarse.secular));
+  RecordProperty("momentum", std::to_string(1e15 * std::max(coarse.momentum, fine.momentum)));
   EXPECT_LT(coarse.largest, 2e-4);
   EXPECT_LT(coarse.secular, 1e-5);
   EXPECT_LT(fine.largest, 2e-6);
   EXPECT_LT(fine.secular, 1e-7);
   EXPECT_NEAR(coarse.largest / fine.largest, 100, 20);
+  EXPECT_LT(coarse.momentum, 1e-13);
+  EXPECT_LT(fine.momentum, 1e-13);
 }
 
 // Angular momentum is I w with w read off the turning of the body itself: the mean rate over a step
