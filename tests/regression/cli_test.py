@@ -7,6 +7,7 @@ usage: QUERN_PROGRAM=build/release/quern cli_test.py [CLASS ...]
 import json
 import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -78,6 +79,14 @@ class Check(Case):
         # 380 spheres: 300 of 13.75 mm and 80 of 18 mm in a drum of 300 mm x 40 mm.
         self.assertRegex(said.stdout, r"ball\b")
         self.assertRegex(said.stdout, r"ore\b")
+
+    def test_measures_a_scene_that_rains_in_with_all_particles_there(self):
+        said = self.expect(0, quern("check", SCENES / "box_packing.toml"), "at once, to measure",
+                           "rain in over")
+        rate = re.search(r"; ([0-9.e+]+) particle steps per second .* about (\S+) with", said.stdout)
+        self.assertIsNotNone(rate, said.stdout)
+        self.assertGreater(float(rate[1]), 1000)
+        self.assertNotEqual(rate[2], "-")
 
     def test_refuses_too_few_steps_per_contact(self):
         self.expect(2, quern("check", LAB_MILL, "--set", "run.time_step=1e-4"), "steps per contact")
