@@ -191,20 +191,30 @@ class Summary(Case):
         self.assertLess(straight["shoulder_deg"], 45)
         self.assertGreater(straight["toe_deg"], 135)
         for name in ("shoulder_deg", "toe_deg"):
-            self.assertGreaterEqual(straight[name + "_standard_error"], 0, name)
+            error, spread = straight[name + "_standard_error"], straight[name + "_spread"]
+            self.assertGreater(error, 0, name)
+            # Of 100 snapshots; ten of them in a block scatter less than one.
+            self.assertGreater(spread, error, name)
+            self.assertLess(spread, 45, name)
+        # The bulk ends further out the lower the limit of its solid fraction.
+        self.assertGreaterEqual(straight["shoulder_deg_at_0.4"], straight["shoulder_deg"])
+        self.assertLessEqual(straight["shoulder_deg_at_0.6"], straight["shoulder_deg"])
+        self.assertLess(abs(straight["shoulder_deg_at_0.4"] - straight["shoulder_deg_at_0.6"]), 45)
+        for cut in ("0.4", "0.6"):
+            self.assertLess(abs(straight["toe_deg_at_" + cut] - straight["toe_deg"]), 45, cut)
         self.assertEqual(straight["charge_snapshots"], 100)
         picture = (self.out / "charge_shape.svg").read_bytes()
         self.out = self.folder / "resumed"
         self.expect(0, quern("run", LAB_MILL, "--out", self.out, "--until", 0.12, *shape))
         self.expect(0, quern("resume", self.out))
         resumed = self.summary()
-        for name in [key for key in straight if key.endswith("_deg") or "charge" in key]:
+        for name in [key for key in straight if "_deg" in key or "charge" in key]:
             self.assertEqual(resumed[name], straight[name], name)
         self.assertEqual((self.out / "charge_shape.svg").read_bytes(), picture)
 
     def test_without_a_request_there_is_no_shape(self):
         self.expect(0, quern("run", BOUNCE, "--out", self.out, "--until", 0.1))
-        self.assertFalse([key for key in self.summary() if key.endswith("_deg")])
+        self.assertFalse([key for key in self.summary() if "_deg" in key])
         self.assertFalse((self.out / "charge_shape.svg").exists())
 
     def test_rain_brings_its_energy(self):
