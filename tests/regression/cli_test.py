@@ -96,30 +96,6 @@ class Check(Case):
         self.assertEqual(list(self.folder.iterdir()), [])
 
 
-class Shapes(Case):
-    def shape(self, *arguments):
-        return quern("shape", *arguments, "--out", self.out)
-
-    def test_are_described_and_written_as_a_frame(self):
-        self.expect(0, self.shape(APPS / "shapes" / "ore12.stl"), "40 triangles, 22 vertices",
-                    "12 faces, 20 vertices, 30 edges; 2 spare vertices dropped", "closed",
-                    "equivalent diameter  1\n", "inertia", "principal axes", "bound radius",
-                    "inner radius", "elongation", "flatness")
-        self.assertGreater((self.out / "ore12.hdf").stat().st_size, 0)
-
-    def test_that_are_no_body_end_with_2_unless_their_hull_is_asked_for(self):
-        text = (APPS / "shapes" / "cube.stl").read_text(encoding="utf-8")
-        first = text[text.index("facet"):text.index("endfacet") + len("endfacet\n")]
-        broken = self.folder / "open.stl"
-        broken.write_text(text.replace(first, ""), encoding="utf-8")
-        self.expect(2, self.shape(broken), "open.stl: not closed: 3 edges", "hull = true")
-        self.assertFalse(self.out.exists())
-        self.expect(0, self.shape(broken, "--hull"), "warning:", "6 faces, 8 vertices, 12 edges")
-
-    def test_of_unreadable_files_end_with_2(self):
-        self.expect(2, self.shape(self.folder / "no.stl"), "no.stl", "cannot read the mesh")
-
-
 class Mistakes(Case):
     def scene(self, find, replace):
         text = pathlib.Path(BOUNCE).read_text(encoding="utf-8")
