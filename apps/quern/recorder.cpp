@@ -257,7 +257,10 @@ void Recorder::write_tables(const World<Real>& world, const ParticleFrame& f) {
                           f.radius),
       table_column<std::uint32_t>({"id", "1", "identity"}, f.id),
       table_column<std::uint16_t>({"species", "1", "row of [[particles]]"}, f.species),
-      table_column<std::uint16_t>({"contacts", "1", "touching partners, walls included"}, f.contacts)};
+      table_column<std::uint16_t>({"class", "1", "size class, counted over all species"},
+                                  f.size_class),
+      table_column<std::uint16_t>({"contacts", "1", "touching partners, walls included"},
+                                  f.contacts)};
   series_.write_table("final_particles", columns);
   const std::optional<PolyhedronFrame> p = polyhedron_frame(world);
   if (!p) return;
