@@ -225,6 +225,11 @@ void Recorder::write_summary(World<Real>& world, const RunFigures& figures) {
   s.set("ledger_error", ledger_error(l));
   s.set("numerical_loss", numerical_loss_share(l));
   s.set("overlap_warnings", world.clock.warnings);
+  if (!world.shapes.empty()) {
+    s.set("contained_warnings", world.polyhedra.fallbacks.contained);
+    s.set("bounded_warnings", world.polyhedra.fallbacks.bounded);
+    s.set("wall_depth_warnings", world.polyhedra.fallbacks.wall_depth);
+  }
   s.set("rebuilds", world.clock.rebuilds);
   s.set("list_slack_m", world.clock.slack);
   s.set("listed_pairs_per_particle", static_cast<double>(world.pairs.slots()) / n);

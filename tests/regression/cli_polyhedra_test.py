@@ -197,5 +197,47 @@ class ShapesInScenes(PolyhedronCase):
                                delta=1e-6)
 
 
+class Fallbacks(PolyhedronCase):
+    """What the narrow phase cannot do as it is defined is counted and warned of."""
+
+    def setUp(self):
+        super().setUp()
+        (self.folder / "cube.stl").write_text(CUBE, encoding="utf-8")
+
+    def counts(self):
+        summary = self.summary()
+        return tuple(summary[kind + "_warnings"] for kind in ("contained", "bounded", "wall_depth"))
+
+    def test_a_body_within_another_is_warned_of_and_stops_the_run(self):
+        scene = self.scene('"cube.stl"', (0, 0, 0.2), (0.01, 0, 0.04))
+        self.expect(4, self.run_scene(scene), "warning: contacts of polyhedra", "1 of a body within "
+                    "another", "error:", "an overlap reached")
+        self.assertEqual(self.counts(), (1, 0, 0))
+        self.assertGreater(self.summary()["overlap_warnings"], 0)
+
+    def test_a_deep_wall_is_counted_in_each_step_and_across_a_resume(self):
+        # Its lowest corners are 85 mm below the floor, its inner radius is 81 mm.
+        scene = self.scene('"cube.stl"', (0, -0.504, 0.2))
+        self.expect(0, self.run_scene(scene), "warning: contacts of polyhedra",
+                    "deeper in a wall than it is taken to be thick (summed over steps)")
+        straight = self.counts()
+        self.assertEqual(straight[:2], (0, 0))
+        self.assertGreater(straight[2], 20)
+        self.out = self.folder / "stopped"
+        self.expect(0, self.run_scene(scene, "--until", "1e-4"))
+        self.assertEqual(self.counts(), (0, 0, 10))
+        self.expect(0, quern("resume", self.out, "--threads", 1))
+        self.assertEqual(self.counts(), straight)
+        start, self.out = self.out, self.folder / "from_file"
+        self.expect(0, self.run_scene(scene, "--set", "run.start=file", "--set",
+                                      f"run.start_file={start}", "--until", "5e-5"))
+        self.assertEqual(self.counts(), (0, 0, 5))  # another run counts anew
+
+    def test_nothing_is_said_where_nothing_was_counted(self):
+        result = self.expect(0, self.run_scene(self.scene('"cube.stl"')))
+        self.assertNotIn("contacts of polyhedra", result.stderr)
+        self.assertEqual(self.counts(), (0, 0, 0))
+
+
 if __name__ == "__main__":
     unittest.main()

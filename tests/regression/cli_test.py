@@ -148,7 +148,9 @@ class Summary(Case):
             self.assertGreaterEqual(summary[name + "_standard_error"], 0, name)
         self.assertEqual(summary["particles"], 380)
         self.assertEqual((summary["spheres"], summary["polyhedra"]), (380, 0))
-        self.assertNotIn("model_work_J", summary)
+        for name in ("model_work_J", "contained_warnings", "bounded_warnings",
+                     "wall_depth_warnings"):
+            self.assertNotIn(name, summary)
         self.assertEqual(summary["steps"], 20000)
         self.assertAlmostEqual(summary["time_s"], 0.2, delta=1e-9)
         self.assertEqual(summary["threads"], 1)

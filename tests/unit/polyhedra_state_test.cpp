@@ -164,6 +164,7 @@ std::string complaint_on_reading(const TempFolder& folder, World<Real>& world) {
 
 TYPED_TEST(PolyhedraState, ComesBackFromACheckpointBitForBit) {
   const TempFolder folder;
+  this->world.polyhedra.fallbacks = {3, 5, 7};
   write(folder, this->world);
   World<TypeParam> other;
   other.tile_size = this->world.tile_size;
@@ -172,6 +173,38 @@ TYPED_TEST(PolyhedraState, ComesBackFromACheckpointBitForBit) {
   EXPECT_EQ(state_hash(other), this->before);
   EXPECT_EQ(bytes_of(other), bytes_of(this->world));
   EXPECT_EQ(other.polyhedra.first_id, test::kSpheres);
+}
+
+// What a version before wrote: without the blocks that came later.
+class Earlier final : public StateVisitor {
+ public:
+  explicit Earlier(StateVisitor& to) : to_(to) {}
+  void column(const char* name, const char* unit, ColumnBase& c, std::size_t width) override {
+    to_.column(name, unit, c, width);
+  }
+  void values(const char* name, const char* unit, ElementType type, void* data,
+              std::size_t count) override {
+    to_.values(name, unit, type, data, count);
+  }
+  void later_values(const char*, const char*, ElementType, void*, std::size_t) override {}
+
+ private:
+  StateVisitor& to_;
+};
+
+TYPED_TEST(PolyhedraState, OfAnEarlierVersionIsReadAsWell) {
+  const TempFolder folder;
+  this->world.polyhedra.fallbacks = {3, 5, 7};
+  write_checkpoint(folder.path(), CheckpointHeader(), [&](StateVisitor& v) {
+    Earlier earlier(v);
+    this->world.visit(earlier);
+  });
+  World<TypeParam> other;
+  other.tile_size = this->world.tile_size;
+  for (int k = 0; k < 2; ++k) other.shapes.emplace_back();
+  ASSERT_EQ(complaint_on_reading(folder, other), "");
+  EXPECT_EQ(state_hash(other), this->before);
+  EXPECT_FALSE(other.polyhedra.fallbacks.any());
 }
 
 TYPED_TEST(PolyhedraState, IsNotTakenForThatOfASceneWithoutPolyhedra) {
