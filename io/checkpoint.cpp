@@ -88,6 +88,11 @@ class Reader final : public StateVisitor {
     get(path_of(name), {type, count, 1}, data);
   }
 
+  void later_values(const char* name, const char* unit, ElementType type, void* data,
+                    std::size_t count) override {
+    if (file_.exists(kState + "/" + name)) values(name, unit, type, data, count);
+  }
+
   // Everything in the file must have been asked for.
   void finish() const {
     for (const std::string& name : file_.datasets(kState)) {

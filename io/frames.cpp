@@ -100,7 +100,8 @@ void check_sizes(const ParticleFrame& frame) {
   const std::size_t n = frame.id.size();
   QUERN_CHECK(frame.spheres <= n && frame.position.size() == 3 * n &&
               frame.velocity.size() == 3 * n && frame.spin.size() == 3 * n &&
-              frame.radius.size() == n && frame.species.size() == n && frame.contacts.size() == n);
+              frame.radius.size() == n && frame.species.size() == n &&
+              frame.size_class.size() == n && frame.contacts.size() == n);
 }
 
 void write_particles(const std::string& path, const ParticleFrame& frame) {
@@ -116,6 +117,7 @@ void write_particles(const std::string& path, const ParticleFrame& frame) {
   file.array("PointData/spin", first_rows(frame.spin, n, 3), "rad/s", 3);
   file.array("PointData/id", first_rows(frame.id, n), "1");
   file.array("PointData/species", first_rows(frame.species, n), "1");
+  file.array("PointData/class", first_rows(frame.size_class, n), "1");
   file.array("PointData/contacts", first_rows(frame.contacts, n), "1");
   file.finish();
 }
@@ -142,12 +144,14 @@ void write_polyhedra(const std::string& path, const ParticleFrame& all,
   file.cells(kVtkTriangle, frame.vertex.size() / 3, corners, 3);
   file.array("CellData/id", of_triangles(rows_from(all.id, first), frame.body), "1");
   file.array("CellData/species", of_triangles(rows_from(all.species, first), frame.body), "1");
+  file.array("CellData/class", of_triangles(rows_from(all.size_class, first), frame.body), "1");
   file.array("CellData/contacts", of_triangles(rows_from(all.contacts, first), frame.body), "1");
   file.array("CellData/speed", of_triangles(lengths(velocity), frame.body), "m/s");
   file.array("CellData/spin_magnitude", of_triangles(lengths(spin), frame.body), "rad/s");
 
   file.state("polyhedra/id", rows_from(all.id, first), "1");
   file.state("polyhedra/species", rows_from(all.species, first), "1");
+  file.state("polyhedra/class", rows_from(all.size_class, first), "1");
   file.state("polyhedra/shape", frame.shape, "1");
   file.state("polyhedra/equivalent_radius", rows_from(all.radius, first), "m");
   file.state("polyhedra/position", rows_from(all.position, first, 3), "m", 3);

@@ -19,6 +19,10 @@ struct SceneCheck {
                         [this](const std::string& path) { return context.trace.spoiled(path); });
   }
   void error(const std::string& path, const std::string& text) const;
+  // How a message about the path begins.
+  std::string place(const std::string& path) const {
+    return context.messages.prefix(context.trace.place(path));
+  }
   std::vector<std::string> material_names() const;
   void material(const std::string& path, const std::string& name) const;  // it must exist
   void name(const std::string& path, const std::string& name,

@@ -78,6 +78,9 @@ struct SceneDraft {
   Scene scene;
   std::vector<WallSpec> walls;
   StartFile start_file = StartFile::kNeeded;
+  // See SceneResult.
+  std::vector<std::string> wall_mesh_places;
+  std::vector<std::vector<std::string>> shape_mesh_places;
 };
 
 template <class Io>

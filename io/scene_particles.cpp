@@ -139,6 +139,11 @@ void check_material(const SceneCheck& check, const std::string& path, const Part
 // Polyhedra need their mesh; a mesh without them is legal, so that shapes can be set to spheres.
 void check_shape(const SceneCheck& check, const std::string& path, const ParticleSpec& species) {
   const std::vector<std::string> given = given_of(check, path, {"mesh", "polyhedron_mesh"});
+  std::vector<std::string>& places = check.draft.shape_mesh_places.emplace_back();
+  for (std::size_t k = 0; k < species.meshes.size(); ++k) {
+    places.push_back(
+        check.place(fmt::format("{}.{}[{}]", path, given.empty() ? "mesh" : given[0], k)));
+  }
   if (given.size() == 2)
     return check.error(path + ".polyhedron_mesh",
                        "'mesh' and 'polyhedron_mesh' are the same; give one");

@@ -49,6 +49,8 @@ SceneResult parse_scene(const std::string& text, const std::string& display_name
     check_scene(draft, context);
     result.scene = std::move(draft.scene);
     result.scene.text = text;
+    result.wall_mesh_places = std::move(draft.wall_mesh_places);
+    result.shape_mesh_places = std::move(draft.shape_mesh_places);
   }
   result.errors = messages.errors();
   result.warnings = messages.warnings();

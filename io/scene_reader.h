@@ -19,6 +19,10 @@ struct SceneResult {
   Scene scene;
   std::vector<std::string> errors;
   std::vector<std::string> warnings;
+  // Where the scene names its STL files, as a message begins ("mill.toml:12:8"): of scene.meshes,
+  // and of the meshes of each of scene.particles.
+  std::vector<std::string> wall_mesh_places;
+  std::vector<std::vector<std::string>> shape_mesh_places;
 };
 
 // `overrides` are "key=value" as given to --set: dotted keys, entries of arrays addressed by name

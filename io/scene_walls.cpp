@@ -97,6 +97,7 @@ void sort_wall(const SceneCheck& check, const std::string& path, const WallSpec&
   const Vec3 zero = Vec3::Zero();
   if (kind == WallKind::kMesh) {
     check.file(path + ".mesh", wall.mesh);
+    check.draft.wall_mesh_places.push_back(check.place(path + ".mesh"));
     check.scene.meshes.push_back(
         {wall.name, wall.mesh, wall.material, wall.scale.value_or(1), wall.motion});
   } else if (kind == WallKind::kPlane) {

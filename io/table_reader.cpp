@@ -335,6 +335,7 @@ void TableReader::texts(const Key& key, std::vector<std::string>& value) {
   fetch(key);
   if (node->items.empty()) fail(key, *node, fmt::format("'{}' must not be empty", key.name));
   for (const Node& item : node->items) {
+    context_.trace.note(fmt::format("{}[{}]", member(key), value.size()), item.place);
     if (item.kind == NodeKind::kString && !item.text.empty())
       value.push_back(item.text);
     else

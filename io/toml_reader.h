@@ -59,6 +59,8 @@ class Messages {
   std::vector<std::string> errors() const;
   // Without the word "warning", which log_warn() puts before them.
   std::vector<std::string> warnings() const { return sorted(warnings_); }
+  // How a message about this place begins: file:line:column, or the override.
+  std::string prefix(const Place& place) const;
 
  private:
   struct Message {
@@ -66,7 +68,6 @@ class Messages {
     std::string text;
   };
   std::vector<std::string> sorted(std::vector<Message> messages) const;
-  std::string prefix(const Place& place) const;
 
   std::string file_;
   std::vector<std::string> overrides_;

@@ -158,6 +158,10 @@ void PolyhedronContacts<Real>::collect_pair(World<Real>& world, BodyTable& table
   PolyhedronTouch touch;
   const bool touching =
       near && touch_polyhedra(a, b, {world.patch.overlap, world.patch.model}, axis, touch);
+  if (near) {
+    fallbacks_.contained += (touch.flags & kTouchContained) != 0;
+    fallbacks_.bounded += (touch.flags & kTouchFull) != 0;
+  }
   std::copy_n(axis.axis, 3, pair.axis);
   pair.gap = axis.gap;
   pair.axis_flags = axis.flags;
@@ -278,6 +282,8 @@ void PolyhedronContacts<Real>::collect_wall(World<Real>& world, const BodyNow& b
     feature[k] = patch[k].feature;
     normal[k] = patch[k].normal = turn * patch[k].normal;
     point[k] = patch[k].point = turn * patch[k].point + wall.pose.shift;
+    fallbacks_.bounded += (patch[k].flags & kPatchFull) != 0;
+    fallbacks_.wall_depth += (patch[k].flags & kPatchDeep) != 0;
   }
   springs_.assign(in.old.begin(), in.old.end());
   std::array<int, kMaxWallPatches> from;
@@ -327,6 +333,7 @@ void PolyhedronContacts<Real>::collect_pairs(World<Real>& world, BodyTable& tabl
                                              std::size_t first, std::size_t last) {
   count_ = 0;
   lanes_.clear();
+  fallbacks_ = Fallbacks();
   const std::vector<PairBodies>& pairs = table.pair_bodies;
   auto pair = std::lower_bound(pairs.begin(), pairs.end(), first,
                                [](const PairBodies& a, std::size_t j) { return a.j < j; });
@@ -344,6 +351,7 @@ void PolyhedronContacts<Real>::collect_walls(World<Real>& world, BodyTable& tabl
                                              std::size_t first, std::size_t last) {
   count_ = 0;
   lanes_.clear();
+  fallbacks_ = Fallbacks();
   Polyhedra<Real>& p = world.polyhedra;
   auto wall = std::lower_bound(p.walls.begin(), p.walls.end(), first,
                                [](const PolyhedronWall& w, std::size_t k) { return w.particle < k; });
@@ -395,6 +403,7 @@ void PolyhedronContacts<Real>::finish(World<Real>& world, const StepConstants<do
                                       std::vector<PolyhedronWall>& walls,
                                       std::span<WallTotal> totals, PolyhedronTally& tally) {
   using B = BodyContacts;
+  tally.fallbacks.add(fallbacks_);
   for (std::size_t k = 0; k < count_; ++k) {
     Lane& lane = lanes_[k];
     const Vec3 force = get3(B::kForce, k), spin = get3(B::kSpinI, k) - get3(B::kSpinJ, k);

@@ -22,10 +22,12 @@ namespace quern {
 struct PolyhedronTally {
   ContactTally contacts[2];  // pairs, walls
   double model_work = 0;     // J, of normal forces, beyond what their potential accounts for
+  Fallbacks fallbacks;
   void add(const PolyhedronTally& o) {
     contacts[0].add(o.contacts[0]);
     contacts[1].add(o.contacts[1]);
     model_work += o.model_work;
+    fallbacks.add(o.fallbacks);
   }
 };
 
@@ -163,6 +165,7 @@ class PolyhedronContacts {
   std::vector<WallSpring> springs_;
   std::vector<bool> carried_;
   std::size_t stride_ = 0, count_ = 0;
+  Fallbacks fallbacks_;  // of what was collected last
 };
 
 }  // namespace quern

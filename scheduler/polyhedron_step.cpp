@@ -320,6 +320,13 @@ void BodyStepper<Real>::add_to(ContactTally& pairs, ContactTally& walls, double&
   }
 }
 
+template <class Real>
+Fallbacks BodyStepper<Real>::fallbacks() const {
+  Fallbacks sum;
+  for (const Stretch& s : stretches_) sum.add(s.tally.fallbacks);
+  return sum;
+}
+
 template class BodyStepper<float>;
 template class BodyStepper<double>;
 

@@ -42,6 +42,7 @@ class BodyStepper {
   // In order of stretches.
   void add_to(ContactTally& pairs, ContactTally& walls, double& model_work, MoveTally& move,
               std::vector<WallTotal>& totals) const;
+  Fallbacks fallbacks() const;  // of this step
 
  private:
   struct Worker {

@@ -422,6 +422,7 @@ World<Real> make_world(const Scene& scene, SceneGeometry geometry,
   }
   world.walls = std::move(geometry.walls);
   world.bodies = std::move(geometry.bodies);
+  world.size_classes = SizeClasses(scene);
   world.shapes = std::move(shapes);
   world.patch = {scene.contact.overlap, scene.contact.normal_model,
                  scene.contact.volume_stiffness.value_or(0), scene.contact.patch_damping};

@@ -25,6 +25,7 @@ void resize(ParticleFrame& f, std::size_t n) {
   f.radius.resize(n);
   f.id.resize(n);
   f.species.resize(n);
+  f.size_class.resize(n);
   f.contacts.resize(n);
 }
 
@@ -55,6 +56,8 @@ ParticleFrame particle_frame(const World<Real>& world) {
     f.radius[at] = static_cast<float>(r.radius);
     f.id[at] = p.id[k];
     f.species[at] = p.species[k];
+    f.size_class[at] =
+        world.size_classes.of(p.species[k], ShapeKind::kSphere, 2 * static_cast<double>(r.radius));
     f.contacts[at] = static_cast<std::uint16_t>(tag_contacts(p.traits[k].tag));
   }
   for (std::size_t k = 0; k < q.size(); ++k) {
@@ -63,6 +66,7 @@ ParticleFrame particle_frame(const World<Real>& world) {
     f.radius[at] = static_cast<float>(q.scale[k]);
     f.id[at] = q.first_id + static_cast<Index>(k);
     f.species[at] = q.species[k];
+    f.size_class[at] = world.size_classes.of(q.species[k], ShapeKind::kPolyhedron, 2 * q.scale[k]);
     f.contacts[at] = static_cast<std::uint16_t>(std::min(q.contacts[k], 0xffffu));
   }
   return f;

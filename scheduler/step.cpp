@@ -278,6 +278,7 @@ StepReport Stepper<Real>::judge() const {
     report.warnings = static_cast<std::uint64_t>(t.warnings);
     if (t.warnings > 0) report.bits |= kOverlapWarning;
     if (t.max_overlap > 1) report.bits |= kDeepOverlap;
+    if (bodies_) report.fallbacks = bodies_->fallbacks();
   }
   if (t.bad > 0) report.bits |= kOutside;
   if (!std::isfinite(t.translational) || !std::isfinite(t.rotational)) report.bits |= kNotFinite;
@@ -309,6 +310,7 @@ StepReport Stepper<Real>::step() {
   ++clock.step;
   ++clock.total_steps;
   clock.warnings += report.warnings;
+  world_.polyhedra.fallbacks.add(report.fallbacks);
   clock.first_kick = 0;
   const bool expired = clock.total_steps - clock.list_step > clock.list_window;
   if (expired || world_.totals.strays > 0) {

@@ -31,6 +31,8 @@ class Stepper {
   // Since the stepper was made or this was last called.
   StageTimes take_times();
   const char* target() const { return kernels_.target; }
+  // What it has made for polyhedra: null in a scene without them.
+  const BodyStepper<Real>* bodies() const { return bodies_ ? &*bodies_ : nullptr; }
 
  private:
   struct Worker {

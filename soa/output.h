@@ -22,6 +22,7 @@ struct ParticleFrame {
   std::vector<float> spin;           // rad/s
   std::vector<std::uint32_t> id;     // for life
   std::vector<std::uint16_t> species;   // row of the scene's [[particles]]
+  std::vector<std::uint16_t> size_class;  // over the scene, see soa/size_classes.h
   std::vector<std::uint16_t> contacts;  // touching partners, walls included
 };
 

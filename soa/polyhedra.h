@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "soa/column.h"
+#include "soa/report.h"
 #include "soa/shapes.h"
 #include "soa/state.h"
 #include "soa/wall_spring.h"
@@ -91,6 +92,7 @@ struct PolyhedronWall : WallSpring {
   Vec3 arm = Vec3::Zero();  // contact point from the place of the body, m
 };
 static_assert(sizeof(PolyhedronWall) == sizeof(WallSpring) + 64, "saved as bytes");
+static_assert(sizeof(Fallbacks) == 3 * 8, "saved as a block");
 
 // Spheres near polyhedra. Groups of a tile: [tile_begin[t] .. tile_begin[t+1]); group g holds `count[g]`
 // spheres in slots [begin[g] .. begin[g+1]), padded to kShapePad by repeating the first sphere.
@@ -164,6 +166,7 @@ struct Polyhedra {
   std::vector<Index> wall_candidate_begin, wall_candidate_body, wall_candidate_facet_begin,
       wall_candidate_facet;  // entries of body k: [wall_candidate_begin[k] .. [k+1]), one a wall body
   PolyhedronSphereBatch<Real> spheres;
+  Fallbacks fallbacks;  // summed over steps
 
   std::size_t size() const { return x.size(); }
   bool empty() const { return x.empty(); }
@@ -188,6 +191,7 @@ struct Polyhedra {
     visit_rows(v, "polyhedra/wall_candidate_facet_begin", "1", wall_candidate_facet_begin);
     visit_rows(v, "polyhedra/wall_candidate_facet", "1", wall_candidate_facet);
     v.values("polyhedra/first_id", "1", ElementType::kU32, &first_id, 1);
+    v.later_values("polyhedra/fallbacks", "1", ElementType::kU64, &fallbacks, 3);
     spheres.visit(v);
   }
   void resize(std::size_t n) {

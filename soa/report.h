@@ -26,10 +26,24 @@ struct Offender {
   double overlap = 0;       // m
 };
 
+// Contacts of polyhedra whose force is not what the method defines, in a step or summed over many.
+struct Fallbacks {
+  std::uint64_t contained = 0;   // one body within the other: along the last normal or the centres
+  std::uint64_t bounded = 0;     // a limit of the narrow phase was met: overlap is a lower bound
+  std::uint64_t wall_depth = 0;  // deeper in a wall than it is thick: overlap is that thickness
+  void add(const Fallbacks& o) {
+    contained += o.contained;
+    bounded += o.bounded;
+    wall_depth += o.wall_depth;
+  }
+  bool any() const { return contained + bounded + wall_depth > 0; }
+};
+
 struct StepReport {
   std::uint32_t bits = 0;
   Offender first;             // of the fatal bits
   std::uint64_t warnings = 0; // contacts above half a radius in this step
+  Fallbacks fallbacks;        // likewise; not while overlaps are capped
   double max_overlap = 0;     // relative to the smaller radius
   bool rebuilt = false;
 };

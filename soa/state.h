@@ -17,6 +17,11 @@ class StateVisitor {
   // A fixed-size block of numbers outside columns.
   virtual void values(const char* name, const char* unit, ElementType type, void* data,
                       std::size_t count) = 0;
+  // One that states written by earlier versions lack: it then stays as it is.
+  virtual void later_values(const char* name, const char* unit, ElementType type, void* data,
+                            std::size_t count) {
+    values(name, unit, type, data, count);
+  }
 };
 
 }  // namespace quern

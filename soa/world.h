@@ -15,6 +15,7 @@
 #include "soa/particles.h"
 #include "soa/polyhedra.h"
 #include "soa/report.h"
+#include "soa/size_classes.h"
 #include "soa/wall_spring.h"
 
 namespace quern {
@@ -138,6 +139,7 @@ struct World {
   std::vector<Wall> walls;
   std::vector<Body> bodies;
   double total_mass = 0;
+  SizeClasses size_classes;
   std::vector<Shape> shapes;    // of the polyhedra
   PatchLaw patch;
   double drag = 1;              // velocity factor of the soft phase

@@ -27,12 +27,26 @@ ArrayLayout layout_of(const PolarGrid& grid) {
           static_cast<std::size_t>(grid.angles)};
 }
 
-// Error of an angle from its values in blocks, taken on the turn nearest to `value`.
-double error_of(double value, const std::vector<double>& blocks) {
+// The angles that were found, on the turn nearest to `value`.
+std::vector<double> found_near(double value, const std::vector<double>& angles) {
   std::vector<double> found;
-  for (const double angle : blocks)
+  for (const double angle : angles)
     if (std::isfinite(angle)) found.push_back(angle_near(angle, value));
+  return found;
+}
+
+// Error of an angle from its values in blocks.
+double error_of(double value, const std::vector<double>& blocks) {
+  const std::vector<double> found = found_near(value, blocks);
   return found.size() < 2 ? kUnknown : block_mean(found).standard_error;
+}
+
+// Standard deviation of an angle over the snapshots.
+double spread_of(double value, const std::vector<double>& snapshots) {
+  const std::vector<double> found = found_near(value, snapshots);
+  if (found.size() < 2) return kUnknown;
+  const int count = static_cast<int>(found.size());
+  return std::sqrt(count) * block_mean(found, count).standard_error;
 }
 
 std::vector<double> in_degrees(std::vector<double> angles) {
@@ -72,8 +86,14 @@ void ChargeRecorder::take(std::uint64_t step, const ParticleFrame& frame,
   series.write_table(snapshot_name((step - first_step_) / every_), columns);
 }
 
+void ChargeRecorder::Found::add(const ChargeShape& shape) {
+  shoulder.push_back(shape.found ? shape.shoulder : kUnknown);
+  toe.push_back(shape.toe_found ? shape.bulk_toe : kUnknown);
+}
+
 std::vector<ChargeMap> ChargeRecorder::read_blocks(std::uint64_t step, const ChargeMap& empty,
-                                                   const SeriesWriter& series) const {
+                                                   const ChargeQuery& query,
+                                                   const SeriesWriter& series) {
   constexpr std::size_t kBlocks = 10;
   std::vector<std::string> names;
   const std::uint64_t last = step > first_step_ ? (step - first_step_) / every_ : 0;
@@ -83,10 +103,12 @@ std::vector<ChargeMap> ChargeRecorder::read_blocks(std::uint64_t step, const Cha
   ChargeMap one = empty;
   one.snapshots = 1;
   std::vector<float> volume(empty.volume.size());
+  in_snapshots_ = Found();
   for (std::size_t k = 0; k < names.size(); ++k) {
     series.read_column(names[k] + "/volume", layout_of(empty.grid), volume.data());
     std::copy(volume.begin(), volume.end(), one.volume.begin());
     add_snapshots(one, blocks[k * blocks.size() / names.size()]);
+    in_snapshots_.add(find_charge_shape(one, query));
   }
   return blocks;
 }
@@ -107,30 +129,27 @@ ChargeQuery ChargeRecorder::query(double particle_size, double time) const {
 
 void ChargeRecorder::find_angles(const ChargeMap& all, const std::vector<ChargeMap>& blocks,
                                  const ChargeQuery& query) {
-  block_shoulder_.clear();
-  block_toe_.clear();
-  for (const ChargeMap& block : blocks) {
-    const ChargeShape shape = find_charge_shape(block, query);
-    block_shoulder_.push_back(shape.found ? shape.shoulder : kUnknown);
-    block_toe_.push_back(shape.toe_found ? shape.bulk_toe : kUnknown);
-  }
+  in_blocks_ = Found();
+  for (const ChargeMap& block : blocks) in_blocks_.add(find_charge_shape(block, query));
   picture_.shape = find_charge_shape(all, query);
   const ChargeShape& shape = picture_.shape;
-  const auto angle = [](bool found, double value, const std::vector<double>& in_blocks) {
-    return found ? Angle{value, error_of(value, in_blocks)} : Angle{kUnknown, kUnknown};
+  const auto angle = [](bool found, double value, const std::vector<double>& in_blocks,
+                        const std::vector<double>& in_snapshots) {
+    return found ? Angle{value, error_of(value, in_blocks), spread_of(value, in_snapshots)}
+                 : Angle{kUnknown, kUnknown, kUnknown};
   };
-  shoulder_ = angle(shape.found, shape.shoulder, block_shoulder_);
-  toe_ = angle(shape.toe_found, shape.bulk_toe, block_toe_);
+  shoulder_ = angle(shape.found, shape.shoulder, in_blocks_.shoulder, in_snapshots_.shoulder);
+  toe_ = angle(shape.toe_found, shape.bulk_toe, in_blocks_.toe, in_snapshots_.toe);
 }
 
 void ChargeRecorder::finish(std::uint64_t step, const ParticleFrame& frame, SeriesWriter& series,
                             Summary& summary) {
   ChargeMap all = empty_map(frame);
-  const std::vector<ChargeMap> blocks = read_blocks(step, all, series);
-  for (const ChargeMap& block : blocks) add_snapshots(block, all);
-  snapshots_ = all.snapshots;
   const double time = static_cast<double>(step) * dt_;
   const ChargeQuery asked = query(median_diameter(frame.radius), time);
+  const std::vector<ChargeMap> blocks = read_blocks(step, all, asked, series);
+  for (const ChargeMap& block : blocks) add_snapshots(block, all);
+  snapshots_ = all.snapshots;
   find_angles(all, blocks, asked);
   report(all, asked, summary);
   if (blocks.empty()) return;
@@ -165,6 +184,8 @@ void ChargeRecorder::report(const ChargeMap& all, const ChargeQuery& asked,
   summary.set("bed_solid_fraction", picture_.shape.bed_fraction);
   summary.set_mean("shoulder_deg", shoulder_.value / kDegree, shoulder_.error / kDegree);
   summary.set_mean("toe_deg", toe_.value / kDegree, toe_.error / kDegree);
+  summary.set("shoulder_deg_spread", shoulder_.spread / kDegree);
+  summary.set("toe_deg_spread", toe_.spread / kDegree);
   for (const double cut : {0.4, 0.6}) {
     ChargeQuery other = asked;
     other.cut = cut;
@@ -195,7 +216,8 @@ void ChargeRecorder::write_tables(SeriesWriter& series) const {
       table_column<double>({"ring_fraction", "1", "solid fraction inside the lifters' tops"},
                            ring)};
   series.write_table("charge_map", map);
-  const std::vector<double> shoulder = in_degrees(block_shoulder_), toe = in_degrees(block_toe_);
+  const std::vector<double> shoulder = in_degrees(in_blocks_.shoulder),
+                            toe = in_degrees(in_blocks_.toe);
   const std::vector<TableColumn> blocks = {
       table_column<double>({"shoulder", "deg", "of each block of snapshots"}, shoulder),
       table_column<double>({"toe", "deg", "of each block of snapshots"}, toe)};

@@ -4,7 +4,8 @@
 // Each snapshot goes into run.h5 as it is taken (charge_snapshots/000001 ...), and the map is
 // summed from there at the end. So nothing of it is state of the run: a resumed run writes the
 // snapshots after its checkpoint anew, to the same bits, and finds those before it in the file.
-// Errors come from ten blocks of consecutive snapshots, each with a map of its own.
+// Errors come from ten blocks of consecutive snapshots, each with a map of its own; the spread is
+// the standard deviation of the angles that single snapshots show.
 #pragma once
 
 #include <string>
@@ -37,12 +38,16 @@ class ChargeRecorder {
 
  private:
   struct Angle {
-    double value, error;  // rad; NaN: unknown
+    double value, error, spread;  // rad; NaN: unknown
+  };
+  struct Found {  // in maps of a part of the window; rad, NaN where not found
+    std::vector<double> shoulder, toe;
+    void add(const ChargeShape& shape);
   };
   ChargeQuery query(double particle_size, double time) const;
   ChargeMap empty_map(const ParticleFrame& frame) const;
   std::vector<ChargeMap> read_blocks(std::uint64_t step, const ChargeMap& empty,
-                                     const SeriesWriter& series) const;
+                                     const ChargeQuery& query, const SeriesWriter& series);
   void find_angles(const ChargeMap& all, const std::vector<ChargeMap>& blocks,
                    const ChargeQuery& query);
   void describe(const PolarGrid& grid, double time, double direction);
@@ -54,7 +59,7 @@ class ChargeRecorder {
   std::uint64_t first_step_, every_;
   ChargePicture picture_;
   Angle shoulder_{}, toe_{};
-  std::vector<double> block_shoulder_, block_toe_;  // rad, NaN where not found
+  Found in_blocks_, in_snapshots_;
   double snapshots_ = 0;
 };
 

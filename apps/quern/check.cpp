@@ -88,17 +88,62 @@ void print_walls(const Facets& facets) {
                   r.boundary_edges, faults));
 }
 
+// Places the particles; those that come in over time all at once and anywhere, or a step would cost
+// nothing. False: they have no room together.
+bool place_all(const Scene& scene, SceneGeometry& geometry, std::vector<ParticleSeed>& seeds,
+               double& depth) {
+  Scene at_once = scene;
+  if (inserted_later(scene)) {
+    at_once.fill.over = 0;
+    at_once.fill.low = at_once.fill.high = std::nullopt;  // where they come in
+    // A box has room above it, as high as need be.
+    const bool* periodic = scene.domain.periodic;
+    if (!periodic[0] && !periodic[1] && !periodic[2]) {
+      at_once.domain.low = at_once.domain.high = std::nullopt;
+    }
+  }
+  FillReport fill;
+  try {
+    fill = place_particles(at_once, geometry.facets(), seeds);
+  } catch (const UserError&) {
+    if (!inserted_later(scene)) throw;
+    return false;
+  }
+  log_info(
+      fmt::format("placing      {:.1f} s, solid fraction {:.3f}{}", fill.seconds, fill.fraction,
+                  inserted_later(scene)
+                      ? fmt::format(" (at once, to measure; in the run they rain in over {:g} s)",
+                                    scene.fill.over)
+                      : ""));
+  include_fill(at_once, fill.low, fill.high, geometry);
+  depth = (fill.high - fill.low).maxCoeff();
+  return true;
+}
+
+std::string rate_text(double particles, std::uint64_t taken, double seconds_taken,
+                      std::uint64_t steps, int threads) {
+  if (taken == 0) return "not measured: particles overlap where they are placed";
+  const double rate = particles * static_cast<double>(taken) / seconds_taken;
+  // A settled charge has several times the contacts of one that has just been placed.
+  constexpr double kSettledShare = 0.4;
+  return fmt::format(
+      "{:.3g} particle steps per second measured on the loose charge, {} threads; about {} with "
+      "the charge settled",
+      rate, threads, format_clock(static_cast<double>(steps) * particles / (kSettledShare * rate)));
+}
+
 template <class Real>
 void print_cost(LoadedScene& loaded, int threads) {
   std::vector<ParticleSeed> seeds = loaded.seeds;
   SceneGeometry geometry = build_geometry(loaded.scene, loaded.meshes, seeds);
   for (const Body& body : geometry.bodies) print_walls(body.facets);
-  const FillReport fill = place_particles(loaded.scene, geometry.facets(), seeds);
-  log_info(fmt::format("placing      {:.1f} s, solid fraction {:.3f}", fill.seconds, fill.fraction));
-  include_fill(loaded.scene, fill.low, fill.high, geometry);
+  double depth = 0;
+  if (!place_all(loaded.scene, geometry, seeds, depth)) {
+    log_info("time         not measured: the particles rain in and have no room all at once");
+    return;
+  }
   World<Real> world =
       make_world<Real>(loaded.scene, std::move(geometry), seeds, seeds, std::move(loaded.shapes));
-  const double depth = (fill.high - fill.low).maxCoeff();
   const std::vector<PhasePlan> plan =
       plan_phases(loaded.scene, loaded.dt, depth, world.total_mass, 0.01);
   std::uint64_t steps = 0;
@@ -112,17 +157,12 @@ void print_cost(LoadedScene& loaded, int threads) {
     ++taken;
   }
   loaded.shapes = std::move(world.shapes);  // the seeds point there
-  const double n = static_cast<double>(seeds.size());
-  const double rate = n * static_cast<double>(taken) / (seconds() - start);
-  // A settled charge has several times the contacts of one that has just been placed.
-  constexpr double kSettledShare = 0.4;
+  const double n = static_cast<double>(seeds.size()), measured = seconds() - start;
   log_info(fmt::format("memory       {:.0f} MB peak, {:.0f} B per particle",
                        static_cast<double>(peak_memory()) * 1e-6,
                        static_cast<double>(peak_memory()) / n));
-  log_info(fmt::format("time         {} steps; {:.3g} particle steps per second measured on the loose "
-                       "charge, {} threads; about {} with the charge settled",
-                       steps, rate, stepper.graph().threads(),
-                       format_clock(static_cast<double>(steps) * n / (kSettledShare * rate))));
+  log_info(fmt::format("time         {} steps; {}", steps,
+                       rate_text(n, taken, measured, steps, stepper.graph().threads())));
 }
 
 }  // namespace

@@ -19,32 +19,50 @@ std::string absolute_path(const Scene& scene, const std::string& file) {
   return std::filesystem::absolute(path).lexically_normal().string();
 }
 
+// What a mesh says of itself, behind the place where the scene names it.
+std::string placed(const std::string& place, std::string line) {
+  constexpr std::string_view kWord = "error: ";
+  const std::size_t at = line.find(kWord);
+  if (at != std::string::npos) line.erase(at, kWord.size());
+  return fmt::format("{}: error: 'mesh': {}", place, line);
+}
+
+struct MeshOfShape {
+  std::string path, place;
+  ShapeOptions options;
+};
+
 // Row of the shape; kNoIndex, and lines in `errors`, where the file gives none.
-Index add_shape(const std::string& path, const ShapeOptions& options, std::vector<Shape>& shapes,
+Index add_shape(const MeshOfShape& mesh, std::vector<Shape>& shapes,
                 std::vector<std::string>& errors) {
   try {
     ShapeReport report;
-    shapes.push_back(read_shape(path, options, report));
+    shapes.push_back(read_shape(mesh.path, mesh.options, report));
     for (const std::string& line : report.warnings) log_warn(line);
     return static_cast<Index>(shapes.size() - 1);
   } catch (const InputErrors& problems) {
-    errors.insert(errors.end(), problems.lines.begin(), problems.lines.end());
+    for (const std::string& line : problems.lines) errors.push_back(placed(mesh.place, line));
   } catch (const UserError& problem) {
-    errors.push_back(std::string("error: ") + problem.what());
+    errors.push_back(placed(mesh.place, problem.what()));
   }
   return kNoIndex;
 }
 
 // A file that serves several species is read once for each of its two options.
-void load_shapes(LoadedScene& loaded, std::vector<std::string>& errors) {
+void load_shapes(const std::vector<std::vector<std::string>>& places, LoadedScene& loaded,
+                 std::vector<std::string>& errors) {
   std::map<std::pair<std::string, bool>, Index> known;
-  for (ParticleSpec& species : loaded.scene.particles) {
+  for (std::size_t s = 0; s < loaded.scene.particles.size(); ++s) {
+    ParticleSpec& species = loaded.scene.particles[s];
     std::vector<Index>& rows = loaded.species_shapes.emplace_back();
     if (!has_polyhedra(species)) continue;
-    for (std::string& mesh : species.meshes) {
+    for (std::size_t k = 0; k < species.meshes.size(); ++k) {
+      std::string& mesh = species.meshes[k];
       mesh = absolute_path(loaded.scene, mesh);
       const auto [at, fresh] = known.try_emplace({mesh, species.hull}, kNoIndex);
-      if (fresh) at->second = add_shape(mesh, {species.hull}, loaded.shapes, errors);
+      if (fresh) {
+        at->second = add_shape({mesh, places[s][k], {species.hull}}, loaded.shapes, errors);
+      }
       rows.push_back(at->second);
     }
   }
@@ -55,13 +73,16 @@ LoadedScene finish(SceneResult result) {
   LoadedScene loaded;
   loaded.scene = std::move(result.scene);
   std::vector<std::string> errors = std::move(result.errors);
-  for (MeshWallSpec& mesh : loaded.scene.meshes) {
+  for (std::size_t w = 0; w < loaded.scene.meshes.size(); ++w) {
+    MeshWallSpec& mesh = loaded.scene.meshes[w];
     mesh.path = absolute_path(loaded.scene, mesh.path);
     MeshResult read = read_stl(mesh.path, mesh.scale);
-    errors.insert(errors.end(), read.errors.begin(), read.errors.end());
+    for (const std::string& line : read.errors) {
+      errors.push_back(placed(result.wall_mesh_places[w], line));
+    }
     loaded.meshes.push_back(std::move(read.triangles));
   }
-  load_shapes(loaded, errors);
+  load_shapes(result.shape_mesh_places, loaded, errors);
   if (!errors.empty()) throw InputErrors{errors};
   loaded.seeds = draw_sizes(loaded.scene);
   assign_shapes(loaded.shapes, loaded.species_shapes, loaded.seeds);

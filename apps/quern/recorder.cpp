@@ -225,6 +225,11 @@ void Recorder::write_summary(World<Real>& world, const RunFigures& figures) {
   s.set("ledger_error", ledger_error(l));
   s.set("numerical_loss", numerical_loss_share(l));
   s.set("overlap_warnings", world.clock.warnings);
+  if (!world.shapes.empty()) {
+    s.set("contained_warnings", world.polyhedra.fallbacks.contained);
+    s.set("bounded_warnings", world.polyhedra.fallbacks.bounded);
+    s.set("wall_depth_warnings", world.polyhedra.fallbacks.wall_depth);
+  }
   s.set("rebuilds", world.clock.rebuilds);
   s.set("list_slack_m", world.clock.slack);
   s.set("listed_pairs_per_particle", static_cast<double>(world.pairs.slots()) / n);
@@ -257,7 +262,10 @@ void Recorder::write_tables(const World<Real>& world, const ParticleFrame& f) {
                           f.radius),
       table_column<std::uint32_t>({"id", "1", "identity"}, f.id),
       table_column<std::uint16_t>({"species", "1", "row of [[particles]]"}, f.species),
-      table_column<std::uint16_t>({"contacts", "1", "touching partners, walls included"}, f.contacts)};
+      table_column<std::uint16_t>({"class", "1", "size class, counted over all species"},
+                                  f.size_class),
+      table_column<std::uint16_t>({"contacts", "1", "touching partners, walls included"},
+                                  f.contacts)};
   series_.write_table("final_particles", columns);
   const std::optional<PolyhedronFrame> p = polyhedron_frame(world);
   if (!p) return;

@@ -232,6 +232,7 @@ class Run {
     world_.clock.list_stale = 1;
     world_.clock.rebuilds = 0;
     world_.clock.warnings = 0;
+    world_.polyhedra.fallbacks = Fallbacks();
     const std::optional<double> slack = loaded_.scene.run.list_slack;
     world_.clock.fixed_slack = slack ? 1 : 0;
     if (slack) world_.clock.slack = *slack;
@@ -357,6 +358,18 @@ class Run {
                        t.rebuilds, t.tasks, parts, t.totals);
   }
 
+  static std::string fallbacks_line(const Fallbacks& f) {
+    std::string parts;
+    const auto add = [&](std::uint64_t count, const char* what) {
+      if (count > 0) parts += fmt::format("{}{} {}", parts.empty() ? "" : ", ", count, what);
+    };
+    add(f.contained, "of a body within another");
+    add(f.bounded, "cut short by a limit of the narrow phase");
+    add(f.wall_depth, "deeper in a wall than it is taken to be thick");
+    return "contacts of polyhedra with a force that is not what it should be: " + parts +
+           " (summed over steps)";
+  }
+
   int finish(bool fine) {
     figures_.wall_seconds = now() - started_;
     figures_.times = stepper_->take_times();
@@ -368,6 +381,7 @@ class Run {
           fmt::format("{} contacts were deeper than half the smaller radius (summed over steps)",
                       world_.clock.warnings));
     }
+    if (world_.polyhedra.fallbacks.any()) log_warn(fallbacks_line(world_.polyhedra.fallbacks));
     recorder_->write_summary(world_, figures_);
     if (!fine) return 4;
     if (g_signal != 0) {

@@ -455,11 +455,15 @@ int polyhedron_facet_touches(const Facets& facets, const ShapePose& pose,
   if (work.parts == 0) return 0;
   join_surfaces(work);
   int count = 0;
+  bool left_out = false;
   for (int s = 0; s < work.surfaces; ++s) {
     WallPatch patch;
     if (work.surface[static_cast<std::size_t>(s)].patch != s) continue;
-    if (build_patch(work, s, options, patch)) insert_patch(patch, out, capacity, count);
+    if (!build_patch(work, s, options, patch)) continue;
+    left_out = left_out || count == capacity;
+    insert_patch(patch, out, capacity, count);
   }
+  if (left_out && count > 0) out[0].flags |= kPatchFull;
   return count;
 }
 

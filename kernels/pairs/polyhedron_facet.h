@@ -27,7 +27,8 @@
 namespace quern {
 
 enum PatchFlags : std::uint32_t {
-  kPatchFull = 1,     // a scratch limit was met: area and overlap are lower bounds
+  kPatchFull = 1,     // a scratch limit was met: area and overlap are lower bounds, or (in the
+                      // first patch) patches were left out
   kPatchDeep = 2,     // deeper than the thickness of the wall: the overlap is that thickness
   kPatchLimited = 4,  // bounded by a concave or a free edge
   kPatchNotched = 8,  // such an edge was left out, see above

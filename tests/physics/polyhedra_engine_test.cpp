@@ -183,6 +183,67 @@ TYPED_TEST(PolyhedraInTheEngine, ASphereOnAFaceFeelsAPlane) {
   EXPECT_NEAR(speed[0] / speed[1], 1, 1e-11);
 }
 
+// A cube of 0.2 within one of 1: as deep as it goes, so it is counted and stops a run as well.
+// While overlaps are capped it is neither.
+TYPED_TEST(PolyhedraInTheEngine, ACubeWithinAnotherIsCountedAndIsTooDeep) {
+  Scene scene = cube_scene();
+  scene.particles[0].explicit_particles = {cube_at({0, 0, 0}), cube_at({0.15, 0.1, 0.05})};
+  scene.particles[0].explicit_particles[1].diameter = 0.2 * kCubeDiameter;
+  World<TypeParam> world = world_of<TypeParam>(scene);
+  Stepper<TypeParam> stepper(world, 1);
+  const StepReport report = stepper.step();
+  EXPECT_EQ(report.fallbacks.contained, 1u);
+  EXPECT_EQ(report.fallbacks.bounded, 0u);
+  EXPECT_EQ(report.fallbacks.wall_depth, 0u);
+  EXPECT_EQ(report.bits, std::uint32_t{kDeepOverlap | kOverlapWarning});
+  EXPECT_EQ(world.polyhedra.fallbacks.contained, 1u);
+  world = world_of<TypeParam>(scene);
+  world.overlap_cap = 1e-3;
+  Stepper<TypeParam> capped(world, 1);
+  EXPECT_FALSE(capped.step().fallbacks.any());
+  EXPECT_FALSE(world.polyhedra.fallbacks.any());
+}
+
+// Of 12 x 12 squares of side h about the origin, facing up.
+std::vector<Triangle> fine_plate(double h) {
+  std::vector<Triangle> plate;
+  for (int k = 0; k < 144; ++k) {
+    const Vec3 at = h * Vec3(k % 12 - 6, k / 12 - 6, 0);
+    const Vec3 x = at + h * Vec3::UnitX(), y = at + h * Vec3::UnitY(), xy = x + y - at;
+    plate.push_back({{at, x, xy}});
+    plate.push_back({{at, xy, y}});
+  }
+  return plate;
+}
+
+// A dozen of 288 triangles below a cube, or all of them: more than the narrow phase has room for.
+TYPED_TEST(PolyhedraInTheEngine, ALimitOfTheNarrowPhaseIsCountedInEachStep) {
+  for (const double h : {0.5, 0.1}) {
+    Scene scene = cube_scene();
+    add_mesh(scene, "plate");
+    scene.particles[0].explicit_particles = {cube_at({0, 0, 0.499})};
+    World<TypeParam> world = world_of<TypeParam>(scene, {fine_plate(h)});
+    Stepper<TypeParam> stepper(world, 1);
+    run_steps(world, stepper, 2);
+    EXPECT_EQ(world.totals.polyhedron_wall_contacts, 1);
+    EXPECT_EQ(world.polyhedra.fallbacks.bounded, h < 0.5 ? 2u : 0u);
+    EXPECT_EQ(world.polyhedra.fallbacks.wall_depth, 0u);
+  }
+}
+
+// An overlap of 0.8 of the radius: all that a wall gives, however deep the cube is.
+TYPED_TEST(PolyhedraInTheEngine, ACubeDeepInAWallIsCountedAndNotStopped) {
+  Scene scene = cube_scene();
+  add_plane(scene, Vec3::Zero(), Vec3::UnitZ());
+  scene.particles[0].explicit_particles = {cube_at({0, 0, -0.1})};
+  World<TypeParam> world = world_of<TypeParam>(scene);
+  Stepper<TypeParam> stepper(world, 1);
+  const StepReport report = stepper.step();
+  EXPECT_EQ(report.bits, std::uint32_t{kOverlapWarning});
+  EXPECT_EQ(report.fallbacks.wall_depth, 1u);
+  EXPECT_NEAR(report.max_overlap, 0.5 / (0.5 * kCubeDiameter), 1e-5);
+}
+
 // Rocks and balls that fly into each other in empty space.
 Scene cloud(double restitution, NormalModel model) {
   Scene scene = cube_scene(restitution);

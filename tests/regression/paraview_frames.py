@@ -56,7 +56,8 @@ def check_spheres(reader, times):
         if points == 0:
             continue
         for name, components in (("radius", 1), ("velocity", 3), ("speed", 1), ("spin", 3),
-                                 ("id", 1), ("species", 1), ("contacts", 1)):
+                                 ("id", 1), ("species", 1), ("class", 1),
+                                 ("contacts", 1)):
             array = reader.PointData.GetArray(name)
             if array is None or array.GetNumberOfComponents() != components:
                 fail(f"t = {time}: no point data '{name}' of {components} components")
@@ -75,7 +76,7 @@ def check_polyhedra(reader, times):
         if reader.GetDataInformation().GetNumberOfCells() == 0:
             found.append(0)
             continue
-        for name in ("id", "species", "contacts", "speed", "spin_magnitude"):
+        for name in ("id", "species", "class", "contacts", "speed", "spin_magnitude"):
             if reader.CellData.GetArray(name) is None:
                 fail(f"t = {time}: no cell data '{name}'")
         ids = servermanager.Fetch(reader).GetCellData().GetArray("id")

@@ -27,6 +27,7 @@ ParticleFrame particles_at(double time, std::size_t n) {
     frame.radius.push_back(0.01f * (x + 1));
     frame.id.push_back(static_cast<std::uint32_t>(i));
     frame.species.push_back(static_cast<std::uint16_t>(i % 2));
+    frame.size_class.push_back(static_cast<std::uint16_t>(4 + i % 3));
     frame.contacts.push_back(static_cast<std::uint16_t>(i % 7));
   }
   return frame;
@@ -78,6 +79,9 @@ TEST(Frames, ParticlesAreVertexCellsWithTheirFields) {
   EXPECT_EQ(read_array<float>(file, "PointData/speed", 3), (std::vector<float>{0, 5, 10}));
   EXPECT_EQ(read_array<float>(file, "PointData/velocity", 3, 3)[8], 8);
   EXPECT_EQ(read_array<std::uint32_t>(file, "PointData/id", 3)[2], 2u);
+  using Numbers = std::vector<std::uint16_t>;
+  EXPECT_EQ(read_array<std::uint16_t>(file, "PointData/species", 3), (Numbers{0, 1, 0}));
+  EXPECT_EQ(read_array<std::uint16_t>(file, "PointData/class", 3), (Numbers{4, 5, 6}));
 }
 
 TEST(Frames, LinerIsTrianglesWithCellData) {

@@ -75,8 +75,20 @@ TEST(PolyhedronFrames, FollowTheSpheresInTheFrameOfAllParticles) {
   EXPECT_EQ(frame.spin[3 * last + 2], static_cast<float>(world.polyhedra.wz[2]));
 }
 
+// Spheres and bodies are 2 m across, but for the last body.
+Scene scene_with_classes() {
+  Scene scene;
+  scene.particles.resize(2);
+  scene.particles[1].sizes = {{1, 3, 1, std::nullopt, ShapeKind::kSphere},
+                              {1, 3, 1, std::nullopt, ShapeKind::kPolyhedron},
+                              {3, 5, 1, std::nullopt, ShapeKind::kPolyhedron}};
+  return scene;
+}
+
 TEST(PolyhedronFrames, AreWrittenBesideTheSpheres) {
   World<float> world = test::world_by_hand<float>();
+  world.size_classes = SizeClasses(scene_with_classes());
+  world.polyhedra.scale[2] = 2;
   const ParticleFrame all = particle_frame(world);
   const auto bodies = polyhedron_frame(world);
   const TempFolder folder;
@@ -101,6 +113,15 @@ TEST(PolyhedronFrames, AreWrittenBesideTheSpheres) {
     EXPECT_NEAR(spin[t], world.polyhedra.spin(k).norm(), 1e-6 * spin[t]);
   }
   EXPECT_EQ(read_array<std::uint16_t>(file, "VTKHDF/CellData/species").front(), 1);
+  EXPECT_EQ(read_array<std::uint16_t>(spheres, "VTKHDF/PointData/class"),
+            std::vector<std::uint16_t>(test::kSpheres, 0));
+  EXPECT_EQ(read_array<std::uint16_t>(file, "polyhedra/class"),
+            (std::vector<std::uint16_t>{2, 2, 3}));
+  const auto size_class = read_array<std::uint16_t>(file, "VTKHDF/CellData/class");
+  ASSERT_EQ(size_class.size(), triangles);
+  for (std::size_t t = 0; t < triangles; ++t) {
+    EXPECT_EQ(size_class[t], bodies->body[t] == 2 ? 3 : 2);
+  }
 
   EXPECT_EQ(read_array<double>(file, "polyhedra/orientation"), bodies->orientation);
   EXPECT_EQ(read_array<double>(file, "polyhedra/position")[3], world.polyhedra.x[1]);

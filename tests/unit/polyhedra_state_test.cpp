@@ -10,6 +10,7 @@
 #include "io/hdf5_file.h"
 #include "soa/hash.h"
 #include "tests/support/polyhedron_world.h"
+#include "tests/support/small_scene.h"
 #include "tests/support/temp_folder.h"
 #include "tests/support/trap_fp.h"
 
@@ -163,6 +164,7 @@ std::string complaint_on_reading(const TempFolder& folder, World<Real>& world) {
 
 TYPED_TEST(PolyhedraState, ComesBackFromACheckpointBitForBit) {
   const TempFolder folder;
+  this->world.polyhedra.fallbacks = {3, 5, 7};
   write(folder, this->world);
   World<TypeParam> other;
   other.tile_size = this->world.tile_size;
@@ -171,6 +173,38 @@ TYPED_TEST(PolyhedraState, ComesBackFromACheckpointBitForBit) {
   EXPECT_EQ(state_hash(other), this->before);
   EXPECT_EQ(bytes_of(other), bytes_of(this->world));
   EXPECT_EQ(other.polyhedra.first_id, test::kSpheres);
+}
+
+// What a version before wrote: without the blocks that came later.
+class Earlier final : public StateVisitor {
+ public:
+  explicit Earlier(StateVisitor& to) : to_(to) {}
+  void column(const char* name, const char* unit, ColumnBase& c, std::size_t width) override {
+    to_.column(name, unit, c, width);
+  }
+  void values(const char* name, const char* unit, ElementType type, void* data,
+              std::size_t count) override {
+    to_.values(name, unit, type, data, count);
+  }
+  void later_values(const char*, const char*, ElementType, void*, std::size_t) override {}
+
+ private:
+  StateVisitor& to_;
+};
+
+TYPED_TEST(PolyhedraState, OfAnEarlierVersionIsReadAsWell) {
+  const TempFolder folder;
+  this->world.polyhedra.fallbacks = {3, 5, 7};
+  write_checkpoint(folder.path(), CheckpointHeader(), [&](StateVisitor& v) {
+    Earlier earlier(v);
+    this->world.visit(earlier);
+  });
+  World<TypeParam> other;
+  other.tile_size = this->world.tile_size;
+  for (int k = 0; k < 2; ++k) other.shapes.emplace_back();
+  ASSERT_EQ(complaint_on_reading(folder, other), "");
+  EXPECT_EQ(state_hash(other), this->before);
+  EXPECT_FALSE(other.polyhedra.fallbacks.any());
 }
 
 TYPED_TEST(PolyhedraState, IsNotTakenForThatOfASceneWithoutPolyhedra) {
@@ -192,8 +226,43 @@ TYPED_TEST(PolyhedraState, IsAbsentFromASceneWithoutPolyhedra) {
   for (const auto& [name, bytes] : bytes_of(without)) {
     EXPECT_EQ(name.find("polyhedra"), std::string::npos) << name;
   }
-  EXPECT_EQ(without.polyhedra.x.capacity_bytes(), 0u);
-  EXPECT_EQ(without.polyhedra.spheres.numbers.capacity_bytes(), 0u);
+}
+
+// Balls that fall on each other and on a plate, lists rebuilt now and then.
+TYPED_TEST(PolyhedraState, TakesNoMemoryInASteppedSceneOfSpheres) {
+  Scene scene = test::small_scene(test::Law(), 1e-5);
+  scene.run.gravity = Vec3(0, 0, -9.81);
+  test::add_plane(scene, Vec3::Zero(), Vec3::UnitZ());
+  for (int k = 0; k < 8; ++k) {
+    test::add_sphere(scene, 0.0625,
+                     Vec3(0.05 * (k % 2), 0.05 * (k / 2 % 2), 0.031 + 0.06 * (k / 4)),
+                     Vec3(0, 0, -1));
+  }
+  World<TypeParam> balls = world_of<TypeParam>(scene);
+  Stepper<TypeParam> stepper(balls, 2);
+  test::run_steps(balls, stepper, 500);
+  bytes_of(balls);
+  EXPECT_GT(balls.clock.rebuilds, 2u);
+  EXPECT_GT(balls.window.pair_contacts, 0);
+  EXPECT_GT(balls.window.wall_contacts, 0);
+  EXPECT_EQ(stepper.bodies(), nullptr);
+  EXPECT_EQ(balls.shapes.capacity(), 0u);
+  const Polyhedra<TypeParam>& p = balls.polyhedra;
+#define QUERN_EXPECT_NONE(type, name, unit, doc) EXPECT_EQ(p.name.capacity_bytes(), 0u) << #name;
+  QUERN_POLYHEDRON_FIELDS(QUERN_EXPECT_NONE)
+#undef QUERN_EXPECT_NONE
+  EXPECT_EQ(p.pairs.capacity(), 0u);
+  EXPECT_EQ(p.walls.capacity(), 0u);
+  for (const std::vector<Index>* v : {&p.wall_candidate_begin, &p.wall_candidate_body,
+                                      &p.wall_candidate_facet_begin, &p.wall_candidate_facet}) {
+    EXPECT_EQ(v->capacity(), 0u);
+  }
+  const PolyhedronSphereBatch<TypeParam>& s = p.spheres;
+  for (const ColumnBase* c : std::initializer_list<const ColumnBase*>{
+           &s.tile_begin, &s.polyhedron, &s.count, &s.begin, &s.sphere, &s.numbers, &s.sums,
+           &s.has_sums, &s.open}) {
+    EXPECT_EQ(c->capacity_bytes(), 0u);
+  }
 }
 
 }  // namespace

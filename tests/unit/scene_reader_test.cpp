@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/unit/bad_particles.h"
 #include "tests/unit/scene_text.h"
 
 namespace quern {
@@ -21,6 +22,8 @@ TEST_P(BadSceneTest, GivesExactlyItsMessages) {
 }
 
 INSTANTIATE_TEST_SUITE_P(SceneReader, BadSceneTest, testing::ValuesIn(kBadScenes),
+                         [](const auto& row) { return std::string(row.param.name); });
+INSTANTIATE_TEST_SUITE_P(SceneReaderParticles, BadSceneTest, testing::ValuesIn(kBadParticles),
                          [](const auto& row) { return std::string(row.param.name); });
 
 TEST(SceneReader, AcceptsTheSceneThatTheBrokenOnesAreMadeOf) {
