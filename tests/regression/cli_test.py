@@ -306,9 +306,11 @@ class Failures(Case):
 
     def test_of_rocks_name_both(self):
         result = self.run_rocks((300, 0, 0))
-        self.goes_wrong(result, "an overlap reached 1.", "particle 2 at (0.03", "against particle 1")
+        self.goes_wrong(result, "an overlap reached 1.", "particle 2 at (0.03",
+                        "against particle 1")
         result = self.run_rocks((-300, 0, 0))
-        self.goes_wrong(result, "an overlap reached 1.", "particle 1 at (-0.0", "against particle 0")
+        self.goes_wrong(result, "an overlap reached 1.", "particle 1 at (-0.0",
+                        "against particle 0")
 
     def test_of_a_rock_that_goes_through_a_wall(self):
         # A wall is no thicker than the rock's inner radius: warned of, then lost.
@@ -405,77 +407,6 @@ count = 300
         self.assertEqual(self.summary()["time_s"], 0)  # the mill has not started
         self.expect(0, quern("resume", self.out))
         self.assertEqual(self.summary()["state_hash"], straight)
-
-    MIXTURE = """format = 1
-[run]
-duration = "0.3 s"
-time_step = "2e-5 s"
-gravity = ["0 m/s^2", "0 m/s^2", "-9.81 m/s^2"]
-""" + LAW + """[[walls]]
-name = "box"
-material = "ore"
-low = ["0 m", "0 m", "0 m"]
-high = ["60 mm", "60 mm", "150 mm"]
-[fill]
-method = "random"
-[[particles]]
-name = "rock"
-material = "ore"
-shape = "polyhedron"
-mesh = "%s"
-sizes = [{ from = "12 mm", to = "16 mm", count = 30 }]
-[[particles]]
-name = "ball"
-material = "ore"
-diameter = "10 mm"
-count = 50
-[output]
-checkpoint_every = "0.05 s"
-"""
-
-    def wait_for(self, happened):
-        for _ in range(30000):
-            if happened():
-                return
-            time.sleep(0.002)
-        self.fail("the run does not get there")
-
-    def stop_when(self, happened, number, *arguments):
-        process = subprocess.Popen([PROGRAM, *map(str, arguments)], stdout=subprocess.DEVNULL,
-                                   stderr=subprocess.DEVNULL)
-        self.addCleanup(process.kill)
-        self.wait_for(happened)
-        process.send_signal(number)
-        return process.wait(timeout=60)
-
-    def test_where_spheres_became_polyhedra(self):
-        scene = self.folder / "mixture.toml"
-        scene.write_text(self.MIXTURE % (APPS / "shapes" / "ore12.stl"), encoding="utf-8")
-        self.expect(0, quern("run", scene, "--out", self.out, "--set", "particles.rock.shape=sphere"))
-        spheres = self.summary()
-        self.assertEqual((spheres["spheres"], spheres["polyhedra"]), (80, 0))
-        exchange = ["run", scene, "--set", "run.start=file", "--set", f"run.start_file={self.out}"]
-        self.out = self.folder / "straight"
-        self.expect(0, quern(*exchange, "--out", self.out, "--threads", 1),
-                    "30 spheres became polyhedra", "relaxed for 0.2 s")
-        straight = self.summary()
-        self.assertEqual((straight["spheres"], straight["polyhedra"]), (50, 30))
-        self.assertEqual(straight["overlap_warnings"], 0)
-        # Stopped while they are let go, then killed while the run goes on.
-        self.out = self.folder / "stopped"
-        checkpoint, settled = self.out / "checkpoint.h5", self.out / "settled" / "checkpoint.h5"
-        self.assertEqual(self.stop_when(checkpoint.is_file, signal.SIGTERM, *exchange, "--out",
-                                        self.out, "--threads", 2), 0)
-        self.assertFalse(settled.exists())
-        self.assertEqual(self.summary()["time_s"], 0)
-        self.assertFalse(self.summary()["finished"])
-        code = self.stop_when(lambda: settled.is_file() and checkpoint.is_file() and
-                              checkpoint.stat().st_mtime > settled.stat().st_mtime + 0.04,
-                              signal.SIGKILL, "resume", self.out, "--threads", 1)
-        self.assertEqual(code, -signal.SIGKILL)
-        self.expect(0, quern("resume", self.out, "--threads", 2))
-        self.assertTrue(self.summary()["finished"])
-        self.assertEqual(self.summary()["state_hash"], straight["state_hash"])
 
     def test_of_another_precision_ends_with_2(self):
         self.expect(0, quern("run", BOUNCE, "--out", self.out, "--until", 0.01))
