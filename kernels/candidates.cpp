@@ -233,7 +233,8 @@ bool meets(const SearchInput& in, const SearchPoint& i, const SearchPoint& j, Ca
   const double d2 = xx + time * (2 * xv + time * vv);
   const double touch = i.radius + j.radius, reach = touch + in.slack;
   if (d2 >= reach * reach) return false;
-  const double gap = std::sqrt(d2) - touch;
+  // Rounding takes d2 below zero where two meet head on.
+  const double gap = std::sqrt(std::max(d2, 0.0)) - touch;
   pair.gap = static_cast<float>(gap - 1e-7 * std::abs(gap));
   pair.speed = static_cast<float>(std::sqrt(vv));
   return true;

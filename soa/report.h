@@ -23,7 +23,7 @@ struct Offender {
   Index partner = kNoIndex;    // particle id, or wall number if partner_is_wall
   bool partner_is_wall = false;
   std::array<double, 3> position{};
-  double overlap = 0;       // m
+  double overlap = 0;       // relative, as max_overlap
 };
 
 // Contacts of polyhedra whose force is not what the method defines, in a step or summed over many.

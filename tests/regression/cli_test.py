@@ -250,6 +250,23 @@ entries = [
 """
 
 
+# A ball (particle 0) and two rocks (1 and 2).
+ROCKS = TWO[:TWO.index("[[particles]]")] + """[[particles]]
+name = "rock"
+material = "ore"
+shape = "polyhedron"
+mesh = "%(mesh)s"
+entries = [
+  { position = ["0 m", "30 mm", "0 m"], diameter = "20 mm"%(motion)s },
+  { position = ["30 mm", "30 mm", "0 m"], diameter = "20 mm" },
+]
+[[particles]]
+name = "ball"
+material = "ore"
+entries = [{ position = ["-30 mm", "30 mm", "0 m"], diameter = "20 mm" }]
+"""
+
+
 class Failures(Case):
     """A run that goes wrong says which particle, where and when, and leaves the state before."""
 
@@ -276,6 +293,28 @@ class Failures(Case):
         self.goes_wrong(result, "an overlap reached 1.", "particle 0", "against particle 1")
         result = self.run_two(', velocity = ["0 m/s", "0 m/s", "-300 m/s"]')
         self.goes_wrong(result, "an overlap reached 1.", "particle 0", "against wall 'floor'")
+
+    def run_rocks(self, velocity):
+        path = self.folder / "rocks.toml"
+        motion = ", velocity = [{}]".format(", ".join(f'"{v} m/s"' for v in velocity))
+        mesh = APPS / "shapes" / "ore12.stl"
+        path.write_text(ROCKS % {"mesh": mesh, "motion": motion}, encoding="utf-8")
+        return quern("run", path, "--out", self.out, "--threads", 1)
+
+    def test_of_rocks_name_both(self):
+        result = self.run_rocks((300, 0, 0))
+        self.goes_wrong(result, "an overlap reached 1.", "particle 2 at (0.03",
+                        "against particle 1")
+        result = self.run_rocks((-300, 0, 0))
+        self.goes_wrong(result, "an overlap reached 1.", "particle 1 at (-0.0",
+                        "against particle 0")
+
+    def test_of_a_rock_that_goes_through_a_wall(self):
+        # A wall is no thicker than the rock's inner radius: warned of, then lost.
+        result = self.run_rocks((0, 0, -300))
+        self.goes_wrong(result, "left the domain", "particle 1 at (", ", -0.1")
+        self.expect(4, result, "warning:", "deeper than half the smaller radius")
+        self.assertGreater(self.summary()["overlap_warnings"], 0)
 
     @unittest.mock.patch.dict(os.environ)
     def test_by_a_number_that_is_none(self):

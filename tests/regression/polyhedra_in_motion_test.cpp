@@ -2,8 +2,11 @@
 // tiles, with or without a restart; and lists that never miss a contact.
 //
 // Two scenes: the laboratory mill (300 polyhedra, 80 balls) and a small cut of the SAG slice
-// (periodic; 128 polyhedra among 1639 spheres, sizes 1:4).
+// (periodic; 128 polyhedra among 1639 spheres, sizes 1:4). And a box of rocks and balls, small
+// enough for both precisions and every law of polyhedra.
 #include <gtest/gtest.h>
+
+#include <set>
 
 #include "scheduler/check_lists.h"
 #include "tests/support/hashed_runs.h"
@@ -124,6 +127,66 @@ TEST_P(PolyhedraInMotion, AreMissedByNoList) {
 INSTANTIATE_TEST_SUITE_P(Scenes, PolyhedraInMotion,
                          testing::Values(Case{"LabMill", lab_mill}, Case{"SagSlice", sag_slice}),
                          [](const auto& test) { return test.param.name; });
+
+// A box in which rocks and balls fall.
+Scene box_of(OverlapMeasure overlap, NormalModel model) {
+  Scene scene;
+  scene.run.gravity = Vec3(0, 0, -80);  // soon at the bottom
+  scene.run.time_step = 1e-5;
+  scene.run.duration = 1;
+  scene.run.tile_size = 4;
+  scene.materials = {{"ore", 2000, 0}};
+  scene.contact.normal_stiffness = 1e5;
+  scene.contact.tangential_stiffness = 4e4;
+  scene.contact.restitution = 0.5;
+  scene.contact.sliding_friction = 0.5;
+  scene.contact.overlap = overlap;
+  scene.contact.normal_model = model;
+  scene.boxes.push_back({"box", "ore", Vec3::Zero(), Vec3(0.08, 0.08, 0.15), false, Motion()});
+  scene.fill.method = FillMethod::kRandom;
+  scene.folder = QUERN_SOURCE_DIR "/apps/shapes";
+  scene.particles.resize(2);
+  scene.particles[0].name = "rock";
+  scene.particles[0].shape = ShapeKind::kPolyhedron;
+  scene.particles[0].meshes = {"ore12.stl", "rock_flat_12.stl"};
+  scene.particles[0].sizes = {{0.012, 0.018, 60, std::nullopt}};
+  scene.particles[1].name = "ball";
+  scene.particles[1].sizes = {{0.008, 0.012, 100, std::nullopt}};
+  for (ParticleSpec& species : scene.particles) species.material = "ore";
+  return scene;
+}
+
+template <class Real>
+class RocksAndBalls : public testing::Test {};
+using Precisions = testing::Types<float, double>;
+TYPED_TEST_SUITE(RocksAndBalls, Precisions);
+
+TYPED_TEST(RocksAndBalls, GiveTheSameBitsUnderEveryLaw) {
+  const Scene scenes[] = {box_of(OverlapMeasure::kChord, NormalModel::kStiffness),
+                          box_of(OverlapMeasure::kWidth, NormalModel::kStiffness),
+                          box_of(OverlapMeasure::kChord, NormalModel::kVolume)};
+  std::set<std::uint64_t> seen;
+  for (std::size_t k = 0; k < 3; ++k) {
+    SCOPED_TRACE(testing::Message() << "law " << k);
+    constexpr std::uint64_t steps = 400;
+    const StartIn<TypeParam> s(scenes[k], 7000);
+    const auto straight = s.world_after({}, steps);
+    const Contacts open = open_contacts(*straight);
+    EXPECT_GT(open.spheres, 20u);
+    EXPECT_GT(open.pairs, 10u);
+    EXPECT_GT(open.walls, 10u);
+    const std::uint64_t one = state_hash(*straight);
+    for (const int threads : {2, 3, 8}) {
+      EXPECT_EQ(s.hash_after({.threads = threads}, steps), one) << threads << " threads";
+    }
+    EXPECT_EQ(s.hash_after({.threads = 1, .shuffle = 1}, steps), one);
+    EXPECT_EQ(s.hash_after({.threads = 3, .shuffle = 99}, steps), one);
+    EXPECT_EQ(s.hash_after({.threads = 2, .resume_at = 171}, steps), one);
+    EXPECT_NE(s.hash_after({}, steps + 1), one);
+    seen.insert(one);
+  }
+  EXPECT_EQ(seen.size(), 3u) << "laws that make no difference";
+}
 
 }  // namespace
 }  // namespace quern

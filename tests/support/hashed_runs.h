@@ -22,12 +22,14 @@ struct RunOptions {
   std::uint64_t resume_at = 0;      // step at which the run goes on in a new world
 };
 
-inline void write_state(World<float>& world, const std::string& folder) {
+template <class Real>
+void write_state(World<Real>& world, const std::string& folder) {
   write_checkpoint(folder, CheckpointHeader(), [&](StateVisitor& v) { world.visit(v); });
 }
 
-inline void advance(World<float>& world, const RunOptions& o, std::uint64_t until) {
-  Stepper<float> stepper(world, o.threads);
+template <class Real>
+void advance(World<Real>& world, const RunOptions& o, std::uint64_t until) {
+  Stepper<Real> stepper(world, o.threads);
   if (o.shuffle != 0) stepper.graph().shuffle(o.shuffle);
   while (world.clock.step < until) {
     const StepReport report = stepper.step();
@@ -36,25 +38,27 @@ inline void advance(World<float>& world, const RunOptions& o, std::uint64_t unti
 }
 
 // A new world with the state of a checkpoint.
-inline std::unique_ptr<World<float>> read_state(const Scene& scene, const std::string& folder) {
-  auto world = std::make_unique<World<float>>(world_of<float>(scene));
+template <class Real = float>
+std::unique_ptr<World<Real>> read_state(const Scene& scene, const std::string& folder) {
+  auto world = std::make_unique<World<Real>>(world_of<Real>(scene));
   read_checkpoint(folder + "/checkpoint.h5", [&](StateVisitor& v) { world->visit(v); });
   return world;
 }
 
 // A scene with a charge in motion.
-struct Start {
+template <class Real>
+struct StartIn {
   Scene scene;
   TempFolder folder;
-  Start(const Scene& from, std::uint64_t warm_up) : scene(from) {
-    World<float> world = world_of<float>(scene);
+  StartIn(const Scene& from, std::uint64_t warm_up) : scene(from) {
+    World<Real> world = world_of<Real>(scene);
     advance(world, {}, warm_up);
     write_state(world, folder.path());
   }
 
-  std::unique_ptr<World<float>> world_after(const RunOptions& o, std::uint64_t steps) const {
+  std::unique_ptr<World<Real>> world_after(const RunOptions& o, std::uint64_t steps) const {
     TempFolder between;
-    std::unique_ptr<World<float>> world = read_state(scene, folder.path());
+    std::unique_ptr<World<Real>> world = read_state<Real>(scene, folder.path());
     const std::uint64_t now = world->clock.step;
     if (o.checkpoint_at != 0) {
       advance(*world, o, now + o.checkpoint_at);
@@ -63,7 +67,7 @@ struct Start {
     if (o.resume_at != 0) {
       advance(*world, o, now + o.resume_at);
       write_state(*world, between.path());
-      world = read_state(scene, between.path());
+      world = read_state<Real>(scene, between.path());
     }
     advance(*world, o, now + steps);
     EXPECT_GT(world->totals.pair_contacts + world->totals.wall_contacts, 100)
@@ -74,5 +78,6 @@ struct Start {
     return state_hash(*world_after(o, steps));
   }
 };
+using Start = StartIn<float>;  // in mixed precision, as scenes run by default
 
 }  // namespace quern

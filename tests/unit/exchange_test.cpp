@@ -6,10 +6,11 @@
 #include <cmath>
 #include <map>
 
+#include "kernels/laws/damping.h"
 #include "scheduler/graph.h"
 #include "scheduler/rebuild.h"
 #include "soa/hash.h"
-#include "tests/support/build_world.h"
+#include "tests/support/hashed_runs.h"
 #include "tests/support/test_shapes.h"
 
 namespace quern {
@@ -94,7 +95,33 @@ class Exchange : public testing::Test {
     return exchange_shapes(std::move(settled_), scene_, seeds_, std::move(shapes_));
   }
 
+  // The exchanged charge as the program starts it, to be relaxed over `time`.
+  World<Real> start_relaxing(double time) {
+    scene_.run.start = StartKind::kFile;
+    scene_.run.relax = time;
+    World<Real> world = exchange();
+    world.clock.step = 0;
+    plan_ = plan_phases(scene_, world.clock.dt, 1, 1, 0.004);
+    return world;
+  }
+
+  // All steps but those of the run, up to step `until` of them all; `look` after each.
+  template <class Look>
+  void relax(World<Real>& world, const RunOptions& o, std::uint64_t until, const Look& look) const {
+    Stepper<Real> stepper(world, o.threads);
+    if (o.shuffle != 0) stepper.graph().shuffle(o.shuffle);
+    for (std::size_t row = world.clock.phase; row + 1 < plan_.size(); ++row) {
+      enter_phase(world, scene_, plan_, row);
+      while (!phase_is_over(world, plan_[row])) {
+        if (world.clock.total_steps >= until) return;
+        ASSERT_EQ(stepper.step().bits & kFatalBits, 0u) << "phase " << row;
+        look();
+      }
+    }
+  }
+
   Scene scene_ = box_scene(ShapeKind::kPolyhedron);
+  std::vector<PhasePlan> plan_;
   World<Real> settled_;
   std::vector<Shape> shapes_;
   std::vector<ParticleSeed> seeds_;
@@ -238,6 +265,135 @@ TYPED_TEST(Exchange, IsRelaxedUnderACapOfTheSmallestPolyhedron) {
   enter_phase(world, this->scene_, plan, plan.size() - 2);
   EXPECT_EQ(world.overlap_cap, 0);
   EXPECT_EQ(world.drag, 1);
+}
+
+// The largest speed of any point (m/s).
+template <class Real>
+double fastest_point(const World<Real>& world) {
+  double most = 0;
+  const Particles<Real>& s = world.particles;
+  for (std::size_t k = 0; k < s.size(); ++k) {
+    const Record<Real>& r = s.record[k];
+    const double radius = static_cast<double>(r.radius);
+    most = std::max(most, Vec3(r.vx, r.vy, r.vz).norm() +
+                              radius * Vec3(s.spin_x[k], s.spin_y[k], s.spin_z[k]).norm());
+  }
+  const Polyhedra<Real>& p = world.polyhedra;
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    const double radius = p.scale[k] * world.shapes[p.shape[k]].bound_radius;
+    most = std::max(most, p.velocity(k).norm() + radius * p.spin(k).norm());
+  }
+  return most;
+}
+
+// The largest push (N) of springs of polyhedra among themselves and with walls, and the largest
+// normal force, damping included, that spheres feel of them.
+struct Pushes {
+  double spring = 0, on_spheres = 0;
+  int contacts = 0;
+};
+template <class Real>
+Pushes pushes_of(const World<Real>& world) {
+  Pushes found;
+  const Polyhedra<Real>& p = world.polyhedra;
+  const auto add = [&](double force, double& most) {
+    most = std::max(most, force);
+    ++found.contacts;
+  };
+  for (const PolyhedronPair& pair : p.pairs) {
+    if (pair.touching != 0) add(pair.elastic_force, found.spring);
+  }
+  for (const PolyhedronWall& wall : p.walls) add(wall.elastic_force, found.spring);
+  for (std::size_t g = 0; g < p.spheres.polyhedron.size(); ++g) {
+    for (Index slot = p.spheres.begin[g]; slot < p.spheres.begin[g] + p.spheres.count[g]; ++slot) {
+      const auto number = [&](std::size_t k) {
+        return static_cast<double>(p.spheres.number(slot, k));
+      };
+      if (!(number(p.spheres.kOverlap) > 0)) continue;
+      add(Vec3(number(3), number(4), number(5)).dot(Vec3(number(6), number(7), number(8))),
+          found.on_spheres);
+    }
+  }
+  return found;
+}
+
+// While overlaps are capped no spring of a polyhedron pushes with more than kn times the cap; what
+// spheres feel more is damping, at most that of the heaviest ball at twice the fastest point's
+// speed. Then the charge is at rest but for a fall by less than its smallest radius, and no contact
+// carries more than the weight of all.
+TYPED_TEST(Exchange, IsLetGoWithoutABurst) {
+  this->scene_.run.gravity = Vec3(0, 0, -9.81);
+  World<TypeParam> world = this->start_relaxing(kExchangeRelax);
+  world.gravity = this->scene_.run.gravity;
+  const double kn = *this->scene_.contact.normal_stiffness, smallest = 0.004;
+  const double ball = 7800 * kPi / 6 * 0.012 * 0.012 * 0.012;
+  const double damping = 2 * damping_ratio(0.3, NormalForce::kClamped) * std::sqrt(kn * ball);
+  const double weight = 9.81 * world.total_mass;
+  int contacts = 0;
+  double before = fastest_point(world), deepest = 0;
+  double most_kinetic[2] = {0, 0};  // true law, capped
+  this->relax(world, {}, UINT64_MAX, [&] {
+    const double speed = std::exchange(before, fastest_point(world));
+    double& most_now = most_kinetic[world.overlap_cap > 0 ? 1 : 0];
+    most_now = std::max(most_now, world.totals.translational + world.totals.rotational);
+    deepest = std::max(deepest, world.totals.max_overlap);
+    if (world.overlap_cap == 0) return;
+    const Pushes found = pushes_of(world);
+    const double most = kn * world.overlap_cap;
+    ASSERT_LE(found.spring, most * (1 + 1e-12));
+    ASSERT_LE(found.on_spheres, most + 2 * damping * speed);
+    contacts += found.contacts;
+  });
+  EXPECT_GT(contacts, 100000);
+  EXPECT_GT(deepest, 0.3) << "nothing had to be let go";
+  EXPECT_LT(most_kinetic[1], weight * smallest);
+  EXPECT_LT(most_kinetic[0], 2 * weight * smallest);
+  EXPECT_LT(world.totals.max_overlap, weight / kn / smallest);
+  EXPECT_EQ(world.particles.size(), 80u);
+  ASSERT_EQ(world.polyhedra.size(), 12u);
+  const Vec3 high = this->scene_.boxes[0].high;
+  const auto is_inside = [&](const Vec3& x) {
+    return (x.array() > 0).all() && (x.array() < high.array()).all();
+  };
+  for (std::size_t k = 0; k < 12; ++k) EXPECT_TRUE(is_inside(world.polyhedra.place(k))) << k;
+  for (const Record<TypeParam>& r : world.particles.record) {
+    EXPECT_TRUE(is_inside(Vec3(r.x, r.y, r.z)));
+  }
+}
+
+TYPED_TEST(Exchange, GivesTheSameBitsWithARestartWhileItIsRelaxed) {
+  World<TypeParam> fresh = this->start_relaxing(0.06);
+  const std::uint64_t first = fresh.clock.total_steps, last = first + 700;
+  ASSERT_EQ(this->plan_[16].kind, Phase::kRelax);
+  TempFolder begin, middle;
+  write_state(fresh, begin.path());
+  const auto read = [&](const std::string& folder) {
+    std::vector<Shape> shapes;
+    shapes.push_back(test::built_box(Vec3(1, 1.2, 1.5)));
+    std::vector<ParticleSeed> seeds = draw_sizes(this->scene_);
+    const std::vector<Index> rows[] = {{0}, {}};
+    assign_shapes(shapes, rows, seeds);
+    World<TypeParam> world = make_world<TypeParam>(
+        this->scene_, build_geometry(this->scene_, {}, seeds), seeds, seeds, std::move(shapes));
+    read_checkpoint(folder + "/checkpoint.h5", [&](StateVisitor& v) { world.visit(v); });
+    return world;
+  };
+  const auto hash_after = [&](const RunOptions& o) {
+    World<TypeParam> world = read(begin.path());
+    if (o.resume_at != 0) {
+      this->relax(world, o, first + o.resume_at, [] {});
+      EXPECT_GT(world.overlap_cap, 0);
+      write_state(world, middle.path());
+      world = read(middle.path());
+    }
+    this->relax(world, o, last, [] {});
+    EXPECT_EQ(world.clock.total_steps, last);
+    EXPECT_EQ(world.overlap_cap, 0);
+    return state_hash(world);
+  };
+  const std::uint64_t one = hash_after({});
+  EXPECT_EQ(hash_after({.resume_at = 250}), one);
+  EXPECT_EQ(hash_after({.threads = 3, .shuffle = 99, .resume_at = 1}), one);
 }
 
 }  // namespace

@@ -228,6 +228,28 @@ TEST(Lists, HoldExactlyThePairsThatMeetAfterAFarFlight) {
   }
 }
 
+// Head on the least distance is zero, or less by rounding: no root of that.
+TEST(Lists, HoldPairsThatMeetHeadOn) {
+  SceneOptions o;
+  o.count = 2;
+  o.drift = 0;
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    SearchScene s = random_scene(o, seed);
+    s.window = 1;
+    Random random(seed);
+    s.point[0].x[0] = s.point[1].x[0] + random(0.05, 0.2);
+    s.point[0].v[0] = s.point[1].v[0] - static_cast<float>(random(1, 300));
+    for (std::size_t a = 1; a < 3; ++a) {
+      s.point[0].x[a] = s.point[1].x[a];
+      s.point[0].v[a] = s.point[1].v[a];
+    }
+    const std::vector<CandidatePair> found = candidates(s);
+    ASSERT_EQ(found.size(), 1u) << seed;
+    // 2^-52 of 0.2 m squared, and its root: 1e-9 m.
+    EXPECT_NEAR(found[0].gap, -(s.point[0].radius + s.point[1].radius), 1e-6 * kSide) << seed;
+  }
+}
+
 // What the lists are for: particles leave their straight lines by up to half the slack, in any
 // direction at any time, and no touch is missed.
 TEST(Lists, MissNoContactOfParticlesThatDeviateByHalfTheSlack) {
