@@ -58,72 +58,103 @@ struct NearTouchV {
   V arm;           // centre of the sphere to the contact point
 };
 
-// Geometry, now and a step ago. `old` points to normal, overlap and contact point of then.
+// History of a slot in f64 lanes: spring, force, normal and overlap of the last step, contact
+// point.
+constexpr int kNearHistory = 16;
+
+template <class Real>
+HWY_INLINE void load_history(Real* const* history, hn::Vec<D64> (&h)[kNearHistory]) {
+  hn::Vec<D64> c[8];
+  if constexpr (sizeof(Real) == sizeof(double)) {
+    for (int half = 0; half < 2; ++half) {
+      load_rows([&](std::size_t lane) { return history[lane] + 8 * half; }, c);
+      for (int k = 0; k < 8; ++k) h[8 * half + k] = c[k];
+    }
+  } else {
+    load_rows([&](std::size_t lane) { return history[lane]; }, c);
+    for (int k = 0; k < 8; ++k) {  // pairs of f32
+      const auto bits = hn::BitCast(D64U(), c[k]);
+      h[2 * k] = to_f64(hn::BitCast(HalfLanes<Real>(), hn::TruncateTo(D32U(), bits)));
+      h[2 * k + 1] =
+          to_f64(hn::BitCast(HalfLanes<Real>(), hn::TruncateTo(D32U(), hn::ShiftRight<32>(bits))));
+    }
+  }
+}
+template <class Real>
+HWY_INLINE void store_history(const hn::Vec<D64> (&h)[kNearHistory], Real* const* history) {
+  hn::Vec<D64> c[8];
+  if constexpr (sizeof(Real) == sizeof(double)) {
+    for (int half = 0; half < 2; ++half) {
+      for (int k = 0; k < 8; ++k) c[k] = h[8 * half + k];
+      store_rows(c, [&](std::size_t lane) { return history[lane] + 8 * half; });
+    }
+  } else {
+    const auto bits = [](hn::Vec<D64> v) HWY_ATTR {
+      return hn::PromoteTo(D64U(), hn::BitCast(D32U(), to_real<Real>(v)));
+    };
+    for (int k = 0; k < 8; ++k) {
+      c[k] = hn::BitCast(D64(), hn::Or(bits(h[2 * k]), hn::ShiftLeft<32>(bits(h[2 * k + 1]))));
+    }
+    store_rows(c, [&](std::size_t lane) { return history[lane]; });
+  }
+}
+
+// Geometry, now and a step ago.
 template <class Real>
 HWY_INLINE void set_near_geometry(const PartnerV<Real>& a, const NearContacts<Real>& c,
-                                  std::size_t at, const Real* old, NearTouchV<Real>& g) {
+                                  std::size_t at, const hn::Vec<D64> (&old)[kNearHistory],
+                                  NearTouchV<Real>& g) {
   const D64 d;
   using V = hn::Vec<D64>;
-  using C = NearContacts<Real>;
-  const HalfLanes<Real> dr;
-  const auto history = [&](std::size_t k) HWY_ATTR {
-    return to_f64(hn::LoadU(dr, old + k * c.stride));
-  };
-  const auto load = [&](int k) HWY_ATTR { return hn::LoadU(d, c.row(k) + at); };
-  const auto vector = [&](int k) HWY_ATTR { return Vec3V<V>{load(k), load(k + 1), load(k + 2)}; };
+  V found[8], body[8];
+  load_rows([&](std::size_t lane) { return c.touch[at + lane].normal; }, found);
+  load_rows([&](std::size_t lane) { return c.motion[at + lane]; }, body);
   BodyTouchV<V>& t = g.touch;
   const V half = hn::Set(d, 0.5), radius = to_f64(a.radius);
-  t.normal = vector(C::kNormal);
-  t.overlap = load(C::kOverlap);
-  g.point = vector(C::kPoint);
-  t.normal_old = {history(0), history(1), history(2)};
-  t.overlap_old = history(3);
-  const Vec3V<V> point_old = {history(4), history(5), history(6)};
+  t.normal = {found[0], found[1], found[2]};
+  t.overlap = found[3];
+  g.point = {found[4], found[5], found[6]};
+  t.normal_old = {old[6], old[7], old[8]};
+  t.overlap_old = old[9];
+  const Vec3V<V> point_old = {old[10], old[11], old[12]};
   t.spin_i = {to_f64(a.spin.x), to_f64(a.spin.y), to_f64(a.spin.z)};
-  t.spin_j = vector(C::kSpin);
-  const Vec3V<V> velocity = a.velocity - vector(C::kVelocity);
+  t.spin_j = {body[3], body[4], body[5]};
+  const Vec3V<V> velocity = a.velocity - Vec3V<V>{body[0], body[1], body[2]};
   g.arm = hn::NegMulAdd(half, t.overlap, radius);
   const V arm_old = hn::NegMulAdd(half, t.overlap_old, radius);
   t.at_point = velocity - cross(scale(g.arm, t.spin_i), t.normal) - cross(t.spin_j, g.point);
   t.at_old = velocity - cross(scale(arm_old, t.spin_i), t.normal_old) - cross(t.spin_j, point_old);
   t.normal_velocity = dot(t.normal, t.at_point);
-  const V inverse_i = to_f64(a.inverse_mass), inverse_j = load(C::kInverseMass);
-  const V z_i = to_f64(a.contacts), z_j = load(C::kContacts);
+  const V inverse_i = to_f64(a.inverse_mass), inverse_j = body[6];
+  const V z_i = to_f64(a.contacts), z_j = found[7];
   t.inverse_mass = hn::Add(inverse_i, inverse_j);
   t.count_rate = hn::MulAdd(z_i, inverse_i, hn::Mul(z_j, inverse_j));
   const V turning_i = hn::Mul(hn::Set(d, 3.5), inverse_i);
-  const V turning_j = hn::MulAdd(dot(g.point, g.point), load(C::kMobility), inverse_j);
+  const V turning_j = hn::MulAdd(dot(g.point, g.point), body[7], inverse_j);
   t.tangential_inverse = hn::Add(turning_i, turning_j);
   t.tangential_count_rate = hn::MulAdd(z_i, turning_i, hn::Mul(z_j, turning_j));
   t.contacts = hn::Add(z_i, z_j);
   t.rolling_radius = t.inverse_inertia = hn::Zero(d);
 }
 
-// Law, rows of the spheres, forces on the polyhedra. `step` has no rolling friction.
+// Law, rows of the spheres, sums of the groups. `step` has no rolling friction.
 template <class Real>
 void push_spheres(const StepConstants<double>& step, const ParticleView<Real>& p,
                   const NearContacts<Real>& c, const TileRows& tile, ContactTally& tally) {
   const D64 d;
-  const HalfLanes<Real> dr;
   using V = hn::Vec<D64>;
-  using C = NearContacts<Real>;
   const V zero = hn::Zero(d);
   TallySumV sum = zero_tally_sum();
   for (std::size_t at = 0; at < c.count; at += hn::Lanes(d)) {
-    Real* history = c.history + at;
-    const auto load = [&](std::size_t k) HWY_ATTR {
-      return to_f64(hn::LoadU(dr, history + k * c.stride));
-    };
-    const auto store = [&](std::size_t k, const Vec3V<V>& v) HWY_ATTR {
-      store3(to_real<Real>(v), history + k * c.stride, c.stride);
-    };
+    V h[kNearHistory];
+    load_history(c.history + at, h);
     HistoryV<V> old;
-    old.spring = {load(0), load(1), load(2)};
-    old.force = {load(3), load(4), load(5)};
+    old.spring = {h[0], h[1], h[2]};
+    old.force = {h[3], h[4], h[5]};
     old.moment = {zero, zero, zero};
     const PartnerV<Real> a = load_partner(p, c.sphere + at);
     NearTouchV<Real> g;
-    set_near_geometry(a, c, at, history + 6 * c.stride, g);
+    set_near_geometry(a, c, at, h, g);
     BodyTouchV<V>& t = g.touch;
     const auto touching = hn::Gt(t.overlap, zero);
     hn::Vec<D64I> row;
@@ -138,18 +169,27 @@ void push_spheres(const StepConstants<double>& step, const ParticleView<Real>& p
     const auto k = load_coefficients<double>(step.law, row);
     set_elastic(k.kn, c.overlap_cap, t);
     const ResponseV<V> r = respond<double>(step, k, t, old, touching);
-    store(0, r.spring);
-    store(3, r.force);
-    store(6, keep_if(touching, t.normal));
-    hn::StoreU(to_real<Real>(hn::IfThenElseZero(touching, t.overlap)), dr, history + 9 * c.stride);
-    store(10, keep_if(touching, g.point));
+    const Vec3V<V> normal = keep_if(touching, t.normal), point = keep_if(touching, g.point);
+    const V now[kNearHistory] = {
+        r.spring.x, r.spring.y, r.spring.z, r.force.x, r.force.y,
+        r.force.z,  normal.x,   normal.y,   normal.z,  hn::IfThenElseZero(touching, t.overlap),
+        point.x,    point.y,    point.z,    zero,      zero,
+        zero};
+    store_history(now, c.history + at);
     count_response<double>(r, touching, hn::Div(t.overlap, to_f64(a.radius)), sum);
     const V one = hn::IfThenElseZero(touching, hn::Set(d, 1));
     const Vec3V<V> torque_i = scale(g.arm, cross(r.tangential, t.normal));
     add_to_partners<double, 0>(r.force, torque_i, one, c.sphere + at, tile);
-    const Vec3V<V> on_j = {hn::Neg(r.force.x), hn::Neg(r.force.y), hn::Neg(r.force.z)};
-    store3(on_j, c.row(C::kForce) + at, c.stride);
-    store3(cross(r.force, g.point), c.row(C::kTorque) + at, c.stride);
+    const Vec3V<V> torque_j = cross(r.force, g.point);
+    V on_j[8] = {hn::Neg(r.force.x),
+                 hn::Neg(r.force.y),
+                 hn::Neg(r.force.z),
+                 torque_j.x,
+                 torque_j.y,
+                 torque_j.z,
+                 one,
+                 zero};
+    add_rows(on_j, [&](std::size_t lane) { return c.sums[at + lane]; });
   }
   add_tally(sum, tally);
 }
@@ -160,9 +200,7 @@ inline void push_bodies(const StepConstants<double>& step, const BodyContacts& c
   using V = hn::Vec<D64>;
   for (std::size_t at = 0; at < c.count; at += hn::Lanes(d)) {
     const auto load = [&](int k) HWY_ATTR { return hn::LoadU(d, c.row(k) + at); };
-    const auto vector = [&](int k) HWY_ATTR {
-      return Vec3V<V>{load(k), load(k + 1), load(k + 2)};
-    };
+    const auto vector = [&](int k) HWY_ATTR { return Vec3V<V>{load(k), load(k + 1), load(k + 2)}; };
     using B = BodyContacts;
     BodyTouchV<V> t;
     t.normal = vector(B::kNormal);

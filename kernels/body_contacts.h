@@ -2,8 +2,8 @@
 //
 // A polyhedron's contacts come as lanes whose geometry the narrow phase has found. Spheres near one
 // polyhedron are a group: their records are gathered, polyhedron_sphere finds normals and overlaps.
-// Few of a group touch: those of all groups of a tile are packed (near_lanes.h), push_spheres applies
-// the law, adds to the rows of the spheres and tells what each does to its polyhedron. Contacts among
+// Few of a group touch: those of all groups of a tile are packed (near_lanes.h), push_spheres
+// applies the law, adds to the rows of the spheres and to the sums of the groups. Contacts among
 // polyhedra and with walls are few: push_bodies is the law alone, energies a contact.
 #pragma once
 
@@ -14,12 +14,15 @@ namespace quern {
 
 // A polyhedron as its contacts see it; vectors in the world frame.
 struct BodyState {
-  Vec3 place, velocity, spin;
+  Vec3 place = Vec3::Zero(), velocity = Vec3::Zero(), spin = Vec3::Zero();
   double inverse_mass = 0;  // 1/kg
   double mobility = 0;      // 1/(kg m^2), the largest inverse principal moment of inertia
   double contacts = 0;      // of the last step
   std::uint32_t material = 0;
+  // Velocity, spin, inverse mass, mobility: eight numbers.
+  const double* motion() const { return velocity.data(); }
 };
+static_assert(sizeof(BodyState) == 104, "motion() is one row");
 
 // Columns of one group in kShapePad lanes each; scratch of a worker.
 struct GroupLanes {
@@ -30,41 +33,38 @@ struct GroupLanes {
   double* point[3];
 };
 
-// Contacts of spheres with polyhedra, one lane each: rows of `count` numbers, padded to kShapePad with
-// lanes that do nothing.
+// A contact of a sphere with a polyhedron as the narrow phase found it: a cache line, which the law
+// turns to lanes.
+struct alignas(kAlignment) NearTouch {
+  double normal[3];      // from the polyhedron to the sphere
+  double overlap;        // m; <= 0 closes a contact
+  double point[3];       // m, contact point from the polyhedron's place
+  double body_contacts;  // of the polyhedron in the last step
+};
+
+// Contacts of spheres with polyhedra, one lane each, padded to kShapePad with lanes that do
+// nothing. What a lane reads and writes besides its sphere lies scattered, in rows of 64 bytes (128
+// in f64).
 template <class Real>
 struct NearContacts {
-  enum Row {
-    kNormal = 0,                // 3, from the polyhedron to the sphere
-    kOverlap = kNormal + 3,     // m; <= 0 closes a contact
-    kPoint,                     // 3, m, contact point from the polyhedron's place
-    kVelocity = kPoint + 3,     // 3, of the polyhedron, as are the following
-    kSpin = kVelocity + 3,      // 3
-    kInverseMass = kSpin + 3,
-    kMobility,
-    kContacts,
-    kForce,                     // 3, N on the polyhedron, out
-    kTorque = kForce + 3,       // 3, N m, out
-    kRows = kTorque + 3
-  };
-  double* numbers;      // kRows rows, `stride` apart
-  Real* history;        // as a slot of PolyhedronSphereBatch, `stride` apart; in and out
-  std::size_t stride;
+  const NearTouch* touch;
   const Index* sphere;
+  const double* const* motion;    // BodyState::motion() of the polyhedron
   const std::uint32_t* material;  // of the polyhedron
+  Real* const* history;           // a slot of PolyhedronSphereBatch; in and out
+  double* const* sums;  // of its group: force and torque on the polyhedron, contacts; added to
   std::size_t count;    // padded
   double overlap_cap;   // m; 0: none
-  double* row(int k) const { return numbers + static_cast<std::size_t>(k) * stride; }
 };
 
 // Rows of `count` numbers, one lane a contact, padded to kShapePad.
 struct BodyContacts {
   enum Row {
-    kNormal = 0,          // 3, from j to i
-    kNormalOld = 3,       // 3
-    kOverlap = 6,         // m; <= 0 closes a contact
+    kNormal = 0,     // 3, from j to i
+    kNormalOld = 3,  // 3
+    kOverlap = 6,    // m; <= 0 closes a contact
     kOverlapOld,
-    kAtPoint,             // 3, m/s, velocity of i from j at the contact point
+    kAtPoint,                   // 3, m/s, velocity of i from j at the contact point
     kAtOld = kAtPoint + 3,      // 3, at the contact point of a step ago
     kSpinI = kAtOld + 3,        // 3, rad/s
     kSpinJ = kSpinI + 3,        // 3
@@ -81,14 +81,14 @@ struct BodyContacts {
     kSlide,
     kTangentialDamping,
     kNumericalLoss,
-    kReduction,                 // of the spring by the implicit damping
-    kNormalForce,               // N
+    kReduction,    // of the spring by the implicit damping
+    kNormalForce,  // N
     kRows
   };
-  double* numbers;        // kRows rows, `stride` apart
+  double* numbers;  // kRows rows, `stride` apart
   std::size_t stride;
-  const Index* law_row;   // of the table of materials
-  std::size_t count;      // padded
+  const Index* law_row;  // of the table of materials
+  std::size_t count;     // padded
   double* row(int k) const { return numbers + static_cast<std::size_t>(k) * stride; }
 };
 

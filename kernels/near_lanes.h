@@ -1,10 +1,9 @@
 // The contacts of a tile's spheres with polyhedra, packed for the law.
 //
 // Of a group of spheres near one polyhedron one or two touch: lanes of a group would be idle. add()
-// takes what touches, or did a step ago, out of one group after another, with its history and what the
-// law needs of the polyhedron; view() shows the lanes to push_spheres; give_back() stores histories
-// and adds up, in order, what each group does to its polyhedron. Nothing is read of a sphere that
-// neither touches nor did.
+// takes what touches, or did a step ago, out of one group after another, with what the narrow phase
+// found and where its history and the sums of its group are; view() shows the lanes to
+// push_spheres. Nothing is read of a sphere that neither touches nor did.
 #pragma once
 
 #include <vector>
@@ -18,29 +17,31 @@ namespace quern {
 template <class Real>
 class NearLanes {
  public:
-  // Asks for the histories that the groups [first, last) will need: they lie scattered, and would be
-  // waited for one by one.
+  // Asks for the histories that the groups [first, last) will need: they lie scattered, and would
+  // be waited for one by one.
   void clear(const PolyhedronSphereBatch<Real>& batch, Index first, Index last);
-  // The first `count` slots of a group, whose narrow phase is in `found`.
+  // The first `count` slots of a group, whose narrow phase is in `found`. `body` and `batch` are to
+  // stay where they are.
   void add(PolyhedronSphereBatch<Real>& batch, Index group, std::size_t count,
            const BodyState& body, const GroupLanes& found);
-  bool empty() const { return lanes_.empty(); }
+  bool empty() const { return sphere_.empty(); }
   // Padded with lanes of the particle `idle`.
   NearContacts<Real> view(Index idle, double overlap_cap);
-  void give_back(PolyhedronSphereBatch<Real>& batch) const;
 
  private:
-  struct Lane {
-    Index slot, group;
-  };
-  void reserve(std::size_t n);
+  void push(const NearTouch& touch, Index sphere, const BodyState& body, Real* history,
+            double* sums);
 
-  std::vector<Lane> lanes_;
-  std::vector<double> numbers_;
-  std::vector<Real> history_;
+  std::vector<NearTouch> touch_;
   std::vector<Index> sphere_;
+  std::vector<const double*> motion_;
   std::vector<std::uint32_t> material_;
-  std::size_t stride_ = 0;
+  std::vector<Real*> history_;
+  std::vector<double*> sums_;
+  // Of padding.
+  BodyState idle_body_;
+  alignas(kAlignment) Real idle_history_[PolyhedronSphereBatch<Real>::kHistoryStride] = {};
+  alignas(kAlignment) double idle_sums_[PolyhedronSphereBatch<Real>::kSums] = {};
 };
 
 }  // namespace quern

@@ -1,8 +1,8 @@
 // Vectors of three over SIMD lanes, fused multiply-add in one place, and 8-wide row transposes.
 //
-// Included once per Highway target. Contacts are handled in full vectors of Real: in `mixed` that is
-// twice as many lanes as an f64 vector has, so what needs f64 is done in two halves and joined. The
-// long chains of the law (divisions, roots) then serve twice the contacts.
+// Included once per Highway target. Contacts are handled in full vectors of Real: in `mixed` that
+// is twice as many lanes as an f64 vector has, so what needs f64 is done in two halves and joined.
+// The long chains of the law (divisions, roots) then serve twice the contacts.
 #if defined(QUERN_KERNELS_SIMD_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef QUERN_KERNELS_SIMD_INL_H_
 #undef QUERN_KERNELS_SIMD_INL_H_
@@ -13,6 +13,8 @@
 #include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
+#include <cstring>
+
 HWY_BEFORE_NAMESPACE();
 namespace quern {
 namespace HWY_NAMESPACE {
@@ -20,6 +22,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using D64 = hn::ScalableTag<double>;
 using D64I = hn::RebindToSigned<D64>;
+using D64U = hn::RebindToUnsigned<D64>;
 using D32I = hn::Rebind<std::int32_t, D64>;
 using D32U = hn::Rebind<std::uint32_t, D64>;
 // As many Real lanes as f64 lanes, and a full vector of Real lanes.
@@ -131,8 +134,7 @@ HWY_INLINE hn::Vec<D64> folded_f64(hn::Vec<Lanes<Real>> v) {
   }
 }
 
-// Row `lane` of the 8 x lanes block c goes to (or is added to) row index[lane] of `rows`.
-// AVX-512 turns the block in registers; narrower targets pass through a small buffer.
+// AVX-512 turns blocks of eight rows in registers; narrower targets pass through a small buffer.
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
 using V64 = hn::Vec<D64>;
 HWY_INLINE void transpose8(V64* c) {
@@ -161,27 +163,72 @@ HWY_INLINE void transpose8(V64* c) {
 #define QUERN_ROWS_IN_REGISTERS 0
 #endif
 
-// rows[index[lane]] += c[.][lane], lane after lane (an index may repeat).
-template <class V>
-HWY_INLINE void add_to_rows(const V (&c)[8], const Index* HWY_RESTRICT index,
-                            double* HWY_RESTRICT rows) {
+// Rows of eight f64, one a lane, that lie anywhere: row(lane) points to the first number. They may
+// hold other things of 64 bytes: bits are moved, never read.
+template <class Row, class V>
+HWY_INLINE void load_rows(const Row& row, V (&c)[8]) {
+  const D64 d;
+#if QUERN_ROWS_IN_REGISTERS
+  for (std::size_t lane = 0; lane < 8; ++lane) {
+    c[lane] = V{_mm512_loadu_pd(row(lane))};
+  }
+  transpose8(c);
+#else
+  constexpr std::size_t kLanes = hn::MaxLanes(D64());
+  HWY_ALIGN double block[8][kLanes];
+  for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
+    double one[8];
+    std::memcpy(one, row(lane), sizeof one);
+    for (int k = 0; k < 8; ++k) block[k][lane] = one[k];
+  }
+  for (int k = 0; k < 8; ++k) c[k] = hn::Load(d, block[k]);
+#endif
+}
+template <class Row, class V>
+HWY_INLINE void store_rows(const V (&c)[8], const Row& row) {
+#if QUERN_ROWS_IN_REGISTERS
+  V64 t[8] = {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7]};
+  transpose8(t);
+  for (std::size_t lane = 0; lane < 8; ++lane) _mm512_storeu_pd(row(lane), t[lane].raw);
+#else
+  const D64 d;
+  constexpr std::size_t kLanes = hn::MaxLanes(D64());
+  HWY_ALIGN double block[8][kLanes];
+  for (int k = 0; k < 8; ++k) hn::Store(c[k], d, block[k]);
+  for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
+    double one[8];
+    for (int k = 0; k < 8; ++k) one[k] = block[k][lane];
+    std::memcpy(row(lane), one, sizeof one);
+  }
+#endif
+}
+// Adds to the rows, lane after lane: lanes may share a row.
+template <class Row, class V>
+HWY_INLINE void add_rows(const V (&c)[8], const Row& row) {
   const D64 d;
 #if QUERN_ROWS_IN_REGISTERS
   V64 t[8] = {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7]};
   transpose8(t);
-  for (int lane = 0; lane < 8; ++lane) {
-    double* HWY_RESTRICT row = rows + 8 * static_cast<std::size_t>(index[lane]);
-    hn::Store(hn::Add(hn::Load(d, row), t[lane]), d, row);
+  for (std::size_t lane = 0; lane < 8; ++lane) {
+    double* HWY_RESTRICT to = row(lane);
+    hn::Store(hn::Add(hn::Load(d, to), t[lane]), d, to);
   }
 #else
   constexpr std::size_t kLanes = hn::MaxLanes(D64());
   HWY_ALIGN double block[8][kLanes];
   for (int k = 0; k < 8; ++k) hn::Store(c[k], d, block[k]);
   for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
-    double* HWY_RESTRICT row = rows + 8 * static_cast<std::size_t>(index[lane]);
-    for (int k = 0; k < 8; ++k) row[k] += block[k][lane];
+    double* HWY_RESTRICT to = row(lane);
+    for (int k = 0; k < 8; ++k) to[k] += block[k][lane];
   }
 #endif
+}
+
+// rows[index[lane]] += c[.][lane]
+template <class V>
+HWY_INLINE void add_to_rows(const V (&c)[8], const Index* HWY_RESTRICT index,
+                            double* HWY_RESTRICT rows) {
+  add_rows(c, [&](std::size_t lane) { return rows + 8 * static_cast<std::size_t>(index[lane]); });
 }
 
 }  // namespace HWY_NAMESPACE

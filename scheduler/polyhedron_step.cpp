@@ -149,7 +149,6 @@ void BodyStepper<Real>::run_tile(std::size_t tile, int worker, const TileRows& r
   if (scratch.near.empty()) return;
   kernels_.push_spheres(constants_, view, scratch.near.view(rows.first, world_.overlap_cap), rows,
                         tally);
-  scratch.near.give_back(batch);
 }
 
 template <class Real>

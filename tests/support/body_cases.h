@@ -5,9 +5,11 @@
 // lanes that nobody may touch.
 #pragma once
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
+#include "soa/polyhedra.h"
 #include "tests/support/kernel_checks.h"
 
 namespace quern::test {
@@ -58,22 +60,30 @@ inline Wanted wanted_contact(const twin::Coefficients& law, double size, Random&
   return w;
 }
 
-// Spheres near polyhedra: about two contacts a sphere, the last sphere is the idle one of padding.
+// Spheres near polyhedra: about two contacts a sphere, the last sphere is the idle one of padding;
+// kGroup contacts after another share a row of sums.
 template <class Real>
 struct NearCases {
-  using C = NearContacts<Real>;
   static constexpr Index kFirst = 2;  // the tile's first particle
+  static constexpr std::size_t kGroup = 3;
+  static constexpr std::size_t kHistory = PolyhedronSphereBatch<Real>::kHistoryStride;
+  static constexpr std::size_t kSums = PolyhedronSphereBatch<Real>::kSums;
 
   CaseOptions options;
   RandomLaw<double> law;
   StepConstants<double> step;
-  std::size_t count, stride;
+  std::size_t count, all;
   Column<Record<Real>> record;
   Column<Traits<Real>> traits;
-  Column<double> numbers;
-  Column<Real> history;
+  std::vector<NearTouch> touch;
+  std::vector<BodyState> body;
+  Column<Real> history;  // kHistory a lane
+  Column<double> sums;   // kSums a lane, of which the first of a group is used
   Column<Index> sphere;
   Column<std::uint32_t> material;
+  std::vector<const double*> motion;
+  std::vector<Real*> history_of;
+  std::vector<double*> sums_of;
   std::vector<twin::Contact> contact;
   std::vector<twin::Response> expected;
   double cap;
@@ -83,21 +93,28 @@ struct NearCases {
         law(o, seed),
         step(constants(o, law)),
         count(contacts),
-        stride(padded(contacts) + kShapePad),
+        all(padded(contacts) + kShapePad),
         cap(overlap_cap) {
     Random random(seed);
     make_spheres(random);
-    numbers.reset(C::kRows * stride);
-    history.reset(13 * stride);
-    sphere.reset(stride);
-    material.reset(stride);
-    numbers.fill(kUntouched);
+    touch.resize(all);
+    body.resize(all);
+    history.reset(kHistory * all);
+    sums.reset(kSums * all);
+    sphere.reset(all);
+    material.reset(all);
     history.fill(static_cast<Real>(kUntouched));
+    sums.fill(kUntouched);
     sphere.fill(idle());
     material.fill(0);
-    for (std::size_t k = count; k < padded(count); ++k) {
-      for (int row = 0; row < C::kRows; ++row) view().row(row)[k] = 0;
-      for (std::size_t h = 0; h < 13; ++h) history[h * stride + k] = 0;
+    for (std::size_t k = 0; k < all; ++k) {
+      const std::size_t group = k < count ? k / kGroup * kGroup : k;
+      motion.push_back(body[k].motion());
+      history_of.push_back(&history[k * kHistory]);
+      sums_of.push_back(&sums[group * kSums]);
+      if (k >= padded(count)) continue;
+      std::fill_n(history_of[k], kHistory, Real(0));
+      std::fill_n(sums_of[k], kSums, 0.0);
     }
     for (std::size_t k = 0; k < count; ++k) {
       do {
@@ -109,16 +126,15 @@ struct NearCases {
   Index idle() const { return kFirst + spheres() - 1; }
   ParticleView<Real> particles() const { return {record.data(), traits.data()}; }
   NearContacts<Real> view() {
-    return {numbers.data(),  history.data(), stride, sphere.data(),
-            material.data(), padded(count),  cap};
+    return {touch.data(),      sphere.data(),  motion.data(), material.data(),
+            history_of.data(), sums_of.data(), padded(count), cap};
   }
-  Vec3 vector(int row, std::size_t k) {
-    return {view().row(row)[k], view().row(row + 1)[k], view().row(row + 2)[k]};
+  Vec3 sum(std::size_t first, std::size_t k) const {
+    return Eigen::Map<const Vec3>(sums_of[k] + first);
   }
   Vec3 stored(std::size_t h, std::size_t k) const {
-    return {static_cast<double>(history[h * stride + k]),
-            static_cast<double>(history[(h + 1) * stride + k]),
-            static_cast<double>(history[(h + 2) * stride + k])};
+    const Real* row = history_of[k] + h;
+    return {static_cast<double>(row[0]), static_cast<double>(row[1]), static_cast<double>(row[2])};
   }
 
  private:
@@ -145,9 +161,6 @@ struct NearCases {
     }
   }
 
-  void put(int row, std::size_t k, const Vec3& v) {
-    for (int a = 0; a < 3; ++a) view().row(row + a)[k] = v[a];
-  }
   void make_contact(std::size_t k, Random& random) {
     contact.resize(k);
     expected.resize(k);
@@ -161,25 +174,25 @@ struct NearCases {
     const Vec3 point = random.in_cube(0.1), spin = random.in_cube(20);
     const Vec3 arm = -(radius - 0.5 * w.overlap) * w.normal;
     const Vec3 sphere_spin(r.wx, r.wy, r.wz);
-    put(C::kNormal, k, w.normal);
-    put(C::kPoint, k, point);
-    put(C::kSpin, k, spin);
-    put(C::kVelocity, k,
-        Vec3(r.vx, r.vy, r.vz) + sphere_spin.cross(arm) - spin.cross(point) - w.at_point);
-    view().row(C::kOverlap)[k] = w.overlap;
-    view().row(C::kInverseMass)[k] = random(0.1, 10);
-    view().row(C::kMobility)[k] = random(10, 1e4);
-    view().row(C::kContacts)[k] = static_cast<double>(random.below(12));
+    touch[k] = {{w.normal.x(), w.normal.y(), w.normal.z()},
+                w.overlap,
+                {point.x(), point.y(), point.z()},
+                static_cast<double>(random.below(12))};
+    body[k].spin = spin;
+    body[k].velocity =
+        Vec3(r.vx, r.vy, r.vz) + sphere_spin.cross(arm) - spin.cross(point) - w.at_point;
+    body[k].inverse_mass = random(0.1, 10);
+    body[k].mobility = random(10, 1e4);
     const Vec3 point_old =
         w.overlap_old > 0 ? Vec3(point + random.in_cube(1e-4)) : Vec3(Vec3::Zero());
     const Vec3 groups[4] = {w.history.spring, w.history.force, w.normal_old, point_old};
     for (std::size_t g = 0; g < 4; ++g) {
       for (std::size_t a = 0; a < 3; ++a) {
-        history[(3 * g + (g == 3 ? 1 : 0) + a) * stride + k] =
+        history_of[k][3 * g + (g == 3 ? 1 : 0) + a] =
             static_cast<Real>(groups[g][static_cast<Eigen::Index>(a)]);
       }
     }
-    history[9 * stride + k] = static_cast<Real>(w.overlap_old);
+    history_of[k][9] = static_cast<Real>(w.overlap_old);
     contact.push_back(twin::sphere_polyhedron(particles(), view(), k, law_here.kn));
     const twin::History old = {stored(0, k), stored(3, k), Vec3::Zero()};
     const double history_eps = sizeof(Real) == 4 ? kEps<float> : 0;

@@ -307,28 +307,26 @@ Contact sphere_facet(const ParticleView<Real>& p, const WallContacts& walls, std
 template <class Real>
 Contact sphere_polyhedron(const ParticleView<Real>& p, const NearContacts<Real>& near,
                           std::size_t k, double kn) {
-  using N = NearContacts<Real>;
-  const auto row = [&](int first) {
-    return Vec3(near.row(first)[k], near.row(first + 1)[k], near.row(first + 2)[k]);
+  const NearTouch& found = near.touch[k];
+  const auto motion = [&](int first) {
+    return Vec3(Eigen::Map<const Vec3>(near.motion[k] + first));
   };
-  const auto old = [&](std::size_t h) {
-    return static_cast<double>(near.history[h * near.stride + k]);
-  };
+  const auto old = [&](std::size_t h) { return static_cast<double>(near.history[k][h]); };
   const Record<Real>& a = p.record[near.sphere[k]];
   Contact c;
-  c.normal = row(N::kNormal);
-  c.overlap = near.row(N::kOverlap)[k];
+  c.normal = Eigen::Map<const Vec3>(found.normal);
+  c.overlap = found.overlap;
   c.normal_old = {old(6), old(7), old(8)};
   c.overlap_old = old(9);
-  c.velocity = c.velocity_old = Vec3(a.vx, a.vy, a.vz) - row(N::kVelocity);
+  c.velocity = c.velocity_old = Vec3(a.vx, a.vy, a.vz) - motion(0);
   c.touching = c.overlap > 0;
   c.i = side_of(p, near.sphere[k], c, -1);
-  c.j.spin = row(N::kSpin);
-  c.j.inverse_mass = near.row(N::kInverseMass)[k];
-  c.j.contacts = near.row(N::kContacts)[k];
-  c.j.lever = row(N::kPoint);
+  c.j.spin = motion(3);
+  c.j.inverse_mass = near.motion[k][6];
+  c.j.contacts = found.body_contacts;
+  c.j.lever = Eigen::Map<const Vec3>(found.point);
   c.j.lever_old = {old(10), old(11), old(12)};
-  c.j.turning = c.j.lever.squaredNorm() * near.row(N::kMobility)[k];
+  c.j.turning = c.j.lever.squaredNorm() * near.motion[k][7];
   if (near.overlap_cap > 0) c.spring = capped_spring(kn, c.overlap, near.overlap_cap);
   return c;
 }

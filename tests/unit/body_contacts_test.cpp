@@ -48,15 +48,33 @@ void expect_rows(const NearCases<Real>& cases, const Rows& before, const Rows& r
   }
 }
 
+// What each group does to its polyhedron.
+template <class Real>
+void expect_sums(const NearCases<Real>& cases) {
+  for (std::size_t first = 0; first < cases.count; first += cases.kGroup) {
+    Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
+    double touches = 0, force_error = 0, torque_error = 0;
+    for (std::size_t k = first; k < std::min(cases.count, first + cases.kGroup); ++k) {
+      const twin::Response& r = cases.expected[k];
+      force -= r.force;
+      torque += r.torque_j;
+      touches += cases.contact[k].touching ? 1 : 0;
+      force_error += r.force_error + kEps<double> * r.force.norm();
+      torque_error += r.torque_error + kEps<double> * r.torque_j.norm();
+    }
+    expect_vector("force on polyhedron", cases.sum(0, first), force, force_error);
+    expect_vector("torque on polyhedron", cases.sum(3, first), torque, torque_error);
+    EXPECT_EQ(cases.sums_of[first][6], touches);
+  }
+}
+
 template <class Real>
 void check_near(NearCases<Real>& cases, unsigned seed) {
-  using C = NearContacts<Real>;
   Rows before(cases.spheres()), rows(cases.spheres());
   Random random(seed);
   for (std::size_t k = 0; k < rows.rows.size(); ++k) {
     before.rows[k] = rows.rows[k] = k % kRowWidth < 6 ? random(-10, 10) : 3;
   }
-  const std::vector<double> input(cases.numbers.begin(), cases.numbers.end());
   TallyTwin tally;
   for (std::size_t k = 0; k < cases.count; ++k) tally.add(cases.contact[k], cases.expected[k]);
   ContactTally got;
@@ -70,25 +88,20 @@ void check_near(NearCases<Real>& cases, unsigned seed) {
     const double open = c.touching ? 1 : 0;
     for (std::size_t a = 0; a < 3; ++a) {
       const auto e = static_cast<Eigen::Index>(a);
-      EXPECT_EQ(cases.history[(6 + a) * cases.stride + k], static_cast<Real>(open * c.normal[e]));
-      EXPECT_EQ(cases.history[(10 + a) * cases.stride + k], static_cast<Real>(open * c.j.lever[e]));
+      EXPECT_EQ(cases.history_of[k][6 + a], static_cast<Real>(open * c.normal[e]));
+      EXPECT_EQ(cases.history_of[k][10 + a], static_cast<Real>(open * c.j.lever[e]));
     }
-    EXPECT_EQ(cases.history[9 * cases.stride + k], static_cast<Real>(open * c.overlap));
-    expect_vector("force on polyhedron", cases.vector(C::kForce, k), -r.force, r.force_error);
-    expect_vector("torque on polyhedron", cases.vector(C::kTorque, k), r.torque_j, r.torque_error);
+    EXPECT_EQ(cases.history_of[k][9], static_cast<Real>(open * c.overlap));
   }
+  expect_sums(cases);
   expect_rows(cases, before, rows);
   tally.expect(got, kEps<double>);
-  for (std::size_t k = 0; k < cases.stride; ++k) {
-    for (int row = 0; row < C::kForce; ++row) {
-      EXPECT_EQ(cases.view().row(row)[k], input[static_cast<std::size_t>(row) * cases.stride + k]);
-    }
-    if (k < cases.count) continue;
+  for (std::size_t k = cases.count; k < cases.all; ++k) {
     const double idle = k < padded(cases.count) ? 0 : kUntouched;
-    for (int row = C::kForce; row < C::kRows; ++row) EXPECT_EQ(cases.view().row(row)[k], idle);
-    for (std::size_t h = 0; h < 13; ++h) {
-      EXPECT_EQ(cases.history[h * cases.stride + k], static_cast<Real>(idle));
+    for (std::size_t h = 0; h < cases.kHistory; ++h) {
+      EXPECT_EQ(cases.history_of[k][h], static_cast<Real>(idle));
     }
+    for (std::size_t h = 0; h < cases.kSums; ++h) EXPECT_EQ(cases.sums_of[k][h], idle);
   }
 }
 
