@@ -176,7 +176,8 @@ void push_spheres(const StepConstants<double>& step, const ParticleView<Real>& p
         point.x,    point.y,    point.z,    zero,      zero,
         zero};
     store_history(now, c.history + at);
-    count_response<double>(r, touching, hn::Div(t.overlap, to_f64(a.radius)), sum);
+    const V smaller = hn::Min(to_f64(a.radius), hn::LoadU(d, c.radius + at));
+    count_response<double>(r, touching, hn::Div(t.overlap, smaller), sum);
     const V one = hn::IfThenElseZero(touching, hn::Set(d, 1));
     const Vec3V<V> torque_i = scale(g.arm, cross(r.tangential, t.normal));
     add_to_partners<double, 0>(r.force, torque_i, one, c.sphere + at, tile);

@@ -18,11 +18,12 @@ struct BodyState {
   double inverse_mass = 0;  // 1/kg
   double mobility = 0;      // 1/(kg m^2), the largest inverse principal moment of inertia
   double contacts = 0;      // of the last step
+  double radius = 1;        // m, of the sphere of equal volume
   std::uint32_t material = 0;
   // Velocity, spin, inverse mass, mobility: eight numbers.
   const double* motion() const { return velocity.data(); }
 };
-static_assert(sizeof(BodyState) == 104, "motion() is one row");
+static_assert(sizeof(BodyState) == 112, "motion() is one row");
 
 // Columns of one group in kShapePad lanes each; scratch of a worker.
 struct GroupLanes {
@@ -51,6 +52,7 @@ struct NearContacts {
   const Index* sphere;
   const double* const* motion;    // BodyState::motion() of the polyhedron
   const std::uint32_t* material;  // of the polyhedron
+  const double* radius;           // m, likewise, of the sphere of equal volume
   Real* const* history;           // a slot of PolyhedronSphereBatch; in and out
   double* const* sums;  // of its group: force and torque on the polyhedron, contacts; added to
   std::size_t count;    // padded

@@ -10,6 +10,7 @@ void NearLanes<Real>::clear(const PolyhedronSphereBatch<Real>& batch, Index firs
   sphere_.clear();
   motion_.clear();
   material_.clear();
+  radius_.clear();
   history_.clear();
   sums_.clear();
   for (std::size_t block = batch.begin[first] / kShapePad; block < batch.begin[last] / kShapePad;
@@ -28,6 +29,7 @@ void NearLanes<Real>::push(const NearTouch& touch, Index sphere, const BodyState
   sphere_.push_back(sphere);
   motion_.push_back(body.motion());
   material_.push_back(body.material);
+  radius_.push_back(body.radius);
   history_.push_back(history);
   sums_.push_back(sums);
 }
@@ -66,7 +68,7 @@ NearContacts<Real> NearLanes<Real>::view(Index idle, double overlap_cap) {
   while (sphere_.size() % kShapePad != 0) {
     push(NearTouch{}, idle, idle_body_, idle_history_, idle_sums_);
   }
-  return {touch_.data(),   sphere_.data(), motion_.data(), material_.data(),
+  return {touch_.data(),   sphere_.data(), motion_.data(), material_.data(), radius_.data(),
           history_.data(), sums_.data(),   sphere_.size(), overlap_cap};
 }
 

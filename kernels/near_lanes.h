@@ -36,6 +36,7 @@ class NearLanes {
   std::vector<Index> sphere_;
   std::vector<const double*> motion_;
   std::vector<std::uint32_t> material_;
+  std::vector<double> radius_;
   std::vector<Real*> history_;
   std::vector<double*> sums_;
   // Of padding.

@@ -34,6 +34,7 @@ void place_bodies(const World<Real>& world, std::size_t first, std::size_t last,
     now.state.inverse_mass = p.inverse_mass[k];
     now.state.mobility = p.inverse_inertia(k).maxCoeff();
     now.state.contacts = p.contacts[k];
+    now.state.radius = p.scale[k];
     now.state.material = p.material[k];
     const Shape& shape = world.shapes[p.shape[k]];
     now.pose = {&shape, p.scale[k], now.state.place, q.toRotationMatrix()};

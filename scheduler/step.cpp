@@ -369,7 +369,9 @@ void find_deep_body(const World<Real>& world, Offender& found) {
   const PolyhedronSphereBatch<Real>& batch = p.spheres;
   for (std::size_t g = 0; g < batch.polyhedron.size(); ++g) {
     for (Index slot = batch.begin[g]; slot < batch.begin[g] + batch.count[g]; ++slot) {
-      const double radius = static_cast<double>(world.particles.record[batch.sphere[slot]].radius);
+      const double radius =
+          std::min(static_cast<double>(world.particles.record[batch.sphere[slot]].radius),
+                   p.scale[batch.polyhedron[g]]);
       if (!take(batch.polyhedron[g], static_cast<double>(batch.number(slot, 9)), radius)) continue;
       found.partner = world.particles.id[batch.sphere[slot]];
     }

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The energy-conserving reference in the lab mill: volume_model.py QUERN SCENE OUT [SECONDS] [KEY=VALUE ...]
 
-Settles the charge with the scene's own law, then turns it for SECONDS (default 0.25) with
+Settles the charge with the scene's own law, then turns it for SECONDS (default 1) with
 normal_model = "volume", k_V = 3e4 Pa, in steps of 1e-6 s. What is finished in OUT is not repeated.
 Prints what the normal forces did beyond the change of their potential, over the dissipation: it is to
 be below 1e-4, where the default law has some percent. The force of a flat face jumps to k_V times its
@@ -17,7 +17,7 @@ LIMIT = 1e-4
 
 def main():
     quern, scene, out = sys.argv[1:4]
-    seconds = sys.argv[4] if len(sys.argv) > 4 else "0.25"
+    seconds = sys.argv[4] if len(sys.argv) > 4 else "1"
     settled = os.path.join(out, "settled")
     runs.run_once(quern, scene, settled, ["run.duration=0.001 s", "run.record_from=0 s"])
     summary = runs.run_once(quern, scene, os.path.join(out, "turned"), [

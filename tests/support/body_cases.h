@@ -34,7 +34,7 @@ inline std::vector<CaseOptions> body_options() {
 // Away from what jumps at the law's branch points.
 inline bool is_clear(const twin::Contact& c, const twin::Response& r) {
   return !c.touching || (r.fresh_margin > 1e-3 && r.slide_margin > 1e-3 &&
-                         std::abs(c.overlap / c.i.radius - 0.5) > 1e-3);
+                         std::abs(c.overlap / c.least_radius() - 0.5) > 1e-3);
 }
 
 // What a contact is to be: depths, velocity of i from j at the contact point, history.
@@ -81,6 +81,7 @@ struct NearCases {
   Column<double> sums;   // kSums a lane, of which the first of a group is used
   Column<Index> sphere;
   Column<std::uint32_t> material;
+  std::vector<double> rock_radius;
   std::vector<const double*> motion;
   std::vector<Real*> history_of;
   std::vector<double*> sums_of;
@@ -103,6 +104,7 @@ struct NearCases {
     sums.reset(kSums * all);
     sphere.reset(all);
     material.reset(all);
+    rock_radius.assign(all, 1);
     history.fill(static_cast<Real>(kUntouched));
     sums.fill(kUntouched);
     sphere.fill(idle());
@@ -126,8 +128,9 @@ struct NearCases {
   Index idle() const { return kFirst + spheres() - 1; }
   ParticleView<Real> particles() const { return {record.data(), traits.data()}; }
   NearContacts<Real> view() {
-    return {touch.data(),      sphere.data(),  motion.data(), material.data(),
-            history_of.data(), sums_of.data(), padded(count), cap};
+    return {touch.data(),    sphere.data(),      motion.data(),
+            material.data(), rock_radius.data(), history_of.data(),
+            sums_of.data(),  padded(count),      cap};
   }
   Vec3 sum(std::size_t first, std::size_t k) const {
     return Eigen::Map<const Vec3>(sums_of[k] + first);
@@ -183,6 +186,7 @@ struct NearCases {
         Vec3(r.vx, r.vy, r.vz) + sphere_spin.cross(arm) - spin.cross(point) - w.at_point;
     body[k].inverse_mass = random(0.1, 10);
     body[k].mobility = random(10, 1e4);
+    rock_radius[k] = random(0.004, 0.02);
     const Vec3 point_old =
         w.overlap_old > 0 ? Vec3(point + random.in_cube(1e-4)) : Vec3(Vec3::Zero());
     const Vec3 groups[4] = {w.history.spring, w.history.force, w.normal_old, point_old};

@@ -52,7 +52,7 @@ struct TallyTwin {
     error.tangential_damping += r.damping_error;
     sum.numerical_loss += r.numerical_loss;
     error.numerical_loss += r.loss_error;
-    const double depth = c.overlap / c.i.radius;
+    const double depth = c.overlap / c.least_radius();
     sum.contacts += c.touching ? 1 : 0;
     sum.warnings += c.touching && depth > 0.5 ? 1 : 0;
     sum.max_overlap = std::max(sum.max_overlap, depth);

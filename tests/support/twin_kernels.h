@@ -55,7 +55,10 @@ struct Contact {
   double overlap = 0, overlap_old = 0;
   std::optional<NormalSpring> spring;  // none: kn times the overlap
   double extent = 0;                   // m, lengths whose f64 rounding enters the overlap
+  double rock_radius = HUGE_VAL;       // m, of j, where it is a polyhedron
   bool touching = false;
+  // Overlaps are judged by it; of two spheres i is the smaller.
+  double least_radius() const { return std::min(i.radius, rock_radius); }
 };
 
 struct History {
@@ -327,6 +330,7 @@ Contact sphere_polyhedron(const ParticleView<Real>& p, const NearContacts<Real>&
   c.j.lever = Eigen::Map<const Vec3>(found.point);
   c.j.lever_old = {old(10), old(11), old(12)};
   c.j.turning = c.j.lever.squaredNorm() * near.motion[k][7];
+  c.rock_radius = near.radius[k];
   if (near.overlap_cap > 0) c.spring = capped_spring(kn, c.overlap, near.overlap_cap);
   return c;
 }
