@@ -136,7 +136,8 @@ void check_material(const SceneCheck& check, const std::string& path, const Part
   }
 }
 
-// Polyhedra need their mesh; a mesh without them is legal, so that shapes can be set to spheres.
+// Polyhedra need their mesh; a mesh without them is legal, so that shapes can be set to spheres
+// (`mesh` warns, `polyhedron_mesh` is for that).
 void check_shape(const SceneCheck& check, const std::string& path, const ParticleSpec& species) {
   const std::vector<std::string> given = given_of(check, path, {"mesh", "polyhedron_mesh"});
   std::vector<std::string>& places = check.draft.shape_mesh_places.emplace_back();
@@ -147,6 +148,11 @@ void check_shape(const SceneCheck& check, const std::string& path, const Particl
   if (given.size() == 2)
     return check.error(path + ".polyhedron_mesh",
                        "'mesh' and 'polyhedron_mesh' are the same; give one");
+  if (given == std::vector<std::string>{"mesh"} && !has_polyhedra(species)) {
+    check.context.messages.warning(check.context.trace.place(path + ".mesh"),
+                                   "'mesh' is not used: these particles are spheres; shape = "
+                                   "\"polyhedron\" makes them bodies");
+  }
   if (given.size() == 1)
     for (const std::string& mesh : species.meshes) check.file(path + "." + given[0], mesh);
   else if (has_polyhedra(species) && check.good({path + ".shape"}))

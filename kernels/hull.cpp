@@ -9,6 +9,7 @@
 
 #include "kernels/closed_mesh.h"
 #include "kernels/mass_properties.h"
+#include "kernels/pairs/convex_clip.h"
 #include "kernels/polyhedron.h"
 #include "kernels/shape_layout.h"
 
@@ -20,7 +21,7 @@ constexpr double kSameVolume = 1e-4;  // mesh and hull of a convex body
 constexpr double kNotableRatio = 1.02;
 constexpr double kFlatVolume = 1e-12;  // over R^3
 constexpr double kFlatWidth = 1e-4;    // over the diameter
-constexpr const char* kTakeHull = "; hull = true takes its convex hull";
+constexpr const char* kTakeHull = "; hull = true (quern shape: --hull) takes its convex hull";
 
 std::string number(double value, int digits = 4) {
   if (std::abs(value) < 1e-12) return "0";
@@ -197,11 +198,12 @@ class Builder {
     report_.faces = static_cast<Index>(body_.face.size());
     report_.vertices = static_cast<Index>(body_.vertex.size());
     report_.edges = static_cast<Index>(body_.edges());
-    const std::size_t corners = 2 * body_.edges();
-    if (corners > kMostCorners) {
-      refuse("too many details: " + count(body_.face.size(), "face") + " with " +
-             std::to_string(corners) + " corners in all, a shape may have " +
-             std::to_string(kMostCorners));
+    if (body_.face.size() > std::size_t{kMaxShapeFaces} ||
+        body_.vertex.size() > std::size_t{kMaxShapeVertices}) {
+      refuse("too many details: " + count(body_.face.size(), "face") + " and " +
+             std::to_string(body_.vertex.size()) + " vertices, a shape may have " +
+             std::to_string(kMaxShapeFaces) + " and " + std::to_string(kMaxShapeVertices) +
+             "; simplify the mesh");
     }
     report_.spare_vertices = report_.welded_vertices - report_.vertices;
     const std::size_t triangles = mesh_.triangle.size();

@@ -121,6 +121,9 @@ void enter_phase(World<Real>& world, const Scene& scene, const std::vector<Phase
   clock.dt = phase.dt;
   world.ledger = Ledger();
   world.window = Window();
+  if (phase.kind != Phase::kRun) return;
+  clock.warnings = 0;
+  world.polyhedra.fallbacks = Fallbacks();
 }
 
 template <class Real>

@@ -36,26 +36,29 @@ void print_contents(const LoadedScene& loaded) {
     volume += v;
   }
   for (const auto& [row, sums] : by_species) {
-    log_info(fmt::format("particles    {:>9} {:<16} {:.6g} kg", sums.first, scene.particles[row].name,
-                         sums.second));
+    log_info(fmt::format("particles    {:>9} {:<16} {:.6g} kg", sums.first,
+                         scene.particles[row].name, sums.second));
   }
   log_info(fmt::format("in all       {:>9} particles, {:.6g} kg, solid volume {:.4g} m^3",
                        loaded.seeds.size(), mass, volume));
   if (!scene.mill) return;
   const MillSpec& mill = *scene.mill;
   const double level = volume / kBulkSolidFraction / (mill_inner_area(mill) * mill.length);
-  log_info(fmt::format("filling      {:.1f} % of the mill's volume (bulk at porosity 0.4)", 100 * level));
+  log_info(fmt::format("filling      {:.1f} % of the mill's volume (bulk at porosity 0.4)",
+                       100 * level));
   double fastest = 0;
-  for (const Schedule::Point& p : mill.rotation.points) fastest = std::max(fastest, std::abs(p.value));
+  for (const Schedule::Point& p : mill.rotation.points)
+    fastest = std::max(fastest, std::abs(p.value));
   const double rpm = fastest * 30 / kPi;
   log_info(fmt::format("speed        {:.4g} rpm, {:.1f} % of critical ({:.4g} rpm)", rpm,
                        100 * rpm / critical_rpm(mill.diameter), critical_rpm(mill.diameter)));
 }
 
 void print_steps(const LoadedScene& loaded) {
-  log_info(fmt::format("time step    {:.4g} s; steps per contact (normal, tangential; {:g} refused, "
-                       "{:g} warned, {:g} advised)",
-                       loaded.dt, kRefusedSteps, kWarnedSteps, kAdvisedSteps));
+  log_info(
+      fmt::format("time step    {:.4g} s; steps per contact: normal ({:g} refused, {:g} warned, "
+                  "{:g} advised), tangential",
+                  loaded.dt, kRefusedSteps, kWarnedSteps, kAdvisedSteps));
   for (const StepAdvice& a : advise_steps(loaded.scene, loaded.seeds, loaded.dt)) {
     log_info(fmt::format("  {:<20} {:<20} {:8.1f} {:8.1f}", a.a, a.b, a.steps_normal,
                          a.steps_tangential));

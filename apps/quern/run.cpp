@@ -92,8 +92,12 @@ class Run {
     last_checkpoint_ = now();
     bool fine = true;
     for (std::size_t row = world_.clock.phase; row < plan_.size() && fine; ++row) {
+      const std::uint64_t warnings = world_.clock.warnings;
       enter_phase(world_, loaded_.scene, plan_, row);
       const bool run = row + 1 == plan_.size();
+      if (world_.clock.warnings < warnings) {
+        log_warn(deep_line(warnings) + " while settling: a larger 'run.soft_stiffness' helps");
+      }
       if (run && row > 0 && world_.clock.step == 0) save(options_.out + "/settled");
       const bool stage = row > 0 && plan_[row].kind == plan_[row - 1].kind;
       if (world_.clock.step == 0 && !stage) save(options_.out);
@@ -358,6 +362,11 @@ class Run {
                        t.rebuilds, t.tasks, parts, t.totals);
   }
 
+  static std::string deep_line(std::uint64_t warnings) {
+    return fmt::format("{} contacts were deeper than half the smaller radius (summed over steps)",
+                       warnings);
+  }
+
   static std::string fallbacks_line(const Fallbacks& f) {
     std::string parts;
     const auto add = [&](std::uint64_t count, const char* what) {
@@ -376,11 +385,7 @@ class Run {
     figures_.threads = stepper_->graph().threads();
     figures_.simd_target = stepper_->target();
     figures_.finished = fine && g_signal == 0 && !stopped_;
-    if (world_.clock.warnings > 0) {
-      log_warn(
-          fmt::format("{} contacts were deeper than half the smaller radius (summed over steps)",
-                      world_.clock.warnings));
-    }
+    if (world_.clock.warnings > 0) log_warn(deep_line(world_.clock.warnings));
     if (world_.polyhedra.fallbacks.any()) log_warn(fallbacks_line(world_.polyhedra.fallbacks));
     recorder_->write_summary(world_, figures_);
     if (!fine) return 4;

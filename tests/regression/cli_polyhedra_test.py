@@ -12,7 +12,7 @@ import unittest
 from cli_test import APPS, LAW, Case, quern
 
 CUBE = (APPS / "shapes" / "cube.stl").read_text(encoding="utf-8")
-TAKES_HULL = "; hull = true takes its convex hull"
+TAKES_HULL = "; hull = true (quern shape: --hull) takes its convex hull"
 
 
 def box(low=(0, 0, 0), high=(1, 1, 1)):

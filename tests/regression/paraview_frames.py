@@ -1,6 +1,6 @@
 """Opens a run's frames in ParaView, checks times and counts, and renders the last one to a PNG.
 
-usage: xvfb-run -a pvbatch paraview_frames.py FRAMES_FOLDER PICTURE.png [PARTICLES]
+usage: xvfb-run -a -s -noreset pvbatch paraview_frames.py FRAMES_FOLDER PICTURE.png [PARTICLES]
 
 Loads particles.hdf.series, polyhedra.hdf.series and liner.hdf.series the way the file dialog does.
 The times are compared with the series files, the number of particles of each frame (spheres and

@@ -9,7 +9,7 @@
 namespace quern {
 namespace {
 
-constexpr const char* kTakesHull = "; hull = true takes its convex hull";
+constexpr const char* kTakesHull = "; hull = true (quern shape: --hull) takes its convex hull";
 
 Triangles without_first(Triangles triangles) {
   triangles.erase(triangles.begin());
@@ -132,7 +132,9 @@ std::vector<BadShape> bad_shapes() {
       {"Thin", box_solid({0, 0, 0}, {1, 1, 1e-4}),
        "flat: its least width is 7.071e-05 of its diameter, at least 0.0001 is needed", false},
       {"TooManyFaces", latitude_ball(240, 70),
-       "too many details: 16531 faces with 66182 corners in all, a shape may have 65535", false},
+       "too many details: 16531 faces and 16562 vertices, a shape may have 512 and 1024; simplify "
+       "the mesh",
+       false},
   };
 }
 
