@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "scheduler/random.h"
+#include "scheduler/stage_times.h"
 
 namespace quern {
 
@@ -38,21 +39,32 @@ void Graph::for_each(std::size_t count, const std::function<void(std::size_t, in
   const auto run = [&](std::size_t k, int worker) {
     task(shuffle_seed_ != 0 ? queue_[k] : k, worker);
   };
-  if (!arena_ || count < 2) {
-    for (std::size_t k = 0; k < count; ++k) run(k, 0);
+  if (count < 2) {
+    if (count == 1) run(0, 0);
     return;
   }
-  arena_->arena.execute([&] {
-    tbb::parallel_for(
-        std::size_t{0}, count,
-        [&](std::size_t k) { run(k, tbb::this_task_arena::current_thread_index()); },
-        tbb::simple_partitioner());
-  });
+  Stopwatch watch;
+  if (!arena_) {
+    for (std::size_t k = 0; k < count; ++k) run(k, 0);
+  } else {
+    arena_->arena.execute([&] {
+      tbb::parallel_for(
+          std::size_t{0}, count,
+          [&](std::size_t k) { run(k, tbb::this_task_arena::current_thread_index()); },
+          tbb::simple_partitioner());
+    });
+  }
+  shared_time_ += watch.lap();
 }
 
 void Graph::sort(std::vector<CurveKey>& keys) {
-  if (!arena_) return std::sort(keys.begin(), keys.end());
-  arena_->arena.execute([&] { tbb::parallel_sort(keys.begin(), keys.end()); });
+  Stopwatch watch;
+  if (!arena_) {
+    std::sort(keys.begin(), keys.end());
+  } else {
+    arena_->arena.execute([&] { tbb::parallel_sort(keys.begin(), keys.end()); });
+  }
+  shared_time_ += watch.lap();
 }
 
 }  // namespace quern

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "soa/base.h"
@@ -37,10 +38,15 @@ class Graph {
   void for_each(std::size_t count, const std::function<void(std::size_t, int)>& task);
   void sort(std::vector<CurveKey>& keys);  // ascending
 
+  // s of the clock in the above where there was work for more than one thread, however many there
+  // are; since the graph was made or this was last called.
+  double take_shared_time() { return std::exchange(shared_time_, 0.0); }
+
  private:
   struct Arena;
   int threads_;
   std::uint64_t shuffle_seed_ = 0;
+  double shared_time_ = 0;
   std::vector<std::size_t> queue_;
   std::unique_ptr<Arena> arena_;
 };

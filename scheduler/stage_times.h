@@ -25,6 +25,7 @@ inline constexpr std::array<const char*, 6> kStageNames = {
 
 struct StageTimes {
   double rebuild = 0, tasks = 0, totals = 0;      // s, of the clock
+  double shared = 0;  // s, of the clock: the part of these that more threads could share
   std::uint64_t rebuilds = 0;
   std::array<double, kStageNames.size()> busy{};  // s, of all threads: the tasks by stage
 };

@@ -173,6 +173,7 @@ void Stepper<Real>::run_tasks(bool rebuilt) {
 template <class Real>
 StageTimes Stepper<Real>::take_times() {
   StageTimes taken = std::exchange(times_, StageTimes());
+  taken.shared = graph_.take_shared_time();
   for (Worker& w : workers_) {
     const BusyTimes mine = std::exchange(w.times, BusyTimes());
     for (std::size_t k = 0; k < mine.busy.size(); ++k) taken.busy[k] += mine.busy[k];

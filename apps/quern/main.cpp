@@ -1,4 +1,4 @@
-// The command line of quern: run, resume, check, shape, info.
+// The command line of quern: run, resume, check, bench, shape, info.
 //
 // Exit codes: 0 fine, 1 a defect of ours, 2 the user's input, 3 the system (disk, files), 4 the run
 // went wrong (and left a checkpoint).
@@ -6,6 +6,7 @@
 #include <cfenv>
 #include <cstdlib>
 
+#include "apps/quern/bench.h"
 #include "apps/quern/check.h"
 #include "apps/quern/info.h"
 #include "apps/quern/load.h"
@@ -44,6 +45,21 @@ int dispatch(int argc, char** argv) {
   check->add_option("--set", options.overrides, "key=value, replaces a value of the scene")
       ->take_all();
 
+  quern::BenchOptions bench_options;
+  CLI::App* bench = app.add_subcommand("bench", "what a step of a scene costs, stage by stage");
+  bench->add_option("scene", bench_options.scene, "SCENE.toml")->required();
+  bench->add_option("--steps", bench_options.steps, "steps of a repeat, after a warm-up of a tenth")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000000000));
+  bench->add_option("--threads", bench_options.threads, "number of threads (0: all)")
+      ->check(CLI::Range(0, 4096));
+  bench->add_option("--repeats", bench_options.repeats, "the best one is shown")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000));
+  bench->add_option("--set", bench_options.overrides, "key=value, replaces a value of the scene")
+      ->take_all();
+  bench->add_flag("--json", bench_options.json, "for scripts");
+
   quern::ShapeCommand shape_options;
   CLI::App* shape = app.add_subcommand("shape", "what an STL file gives as a polyhedron");
   shape->add_option("file", shape_options.file, "FILE.stl")->required();
@@ -67,6 +83,7 @@ int dispatch(int argc, char** argv) {
   }
   if (resume->parsed()) return quern::resume_command(options);
   if (check->parsed()) return quern::check_command(options);
+  if (bench->parsed()) return quern::bench_command(bench_options);
   if (shape->parsed()) {
     if (shape_options.out.empty()) shape_options.out = "out/shapes";
     return quern::shape_command(shape_options);

@@ -3,7 +3,6 @@
 #include "apps/quern/run.h"
 
 #include <fmt/format.h>
-#include <malloc.h>
 
 #include <algorithm>
 #include <chrono>
@@ -14,13 +13,12 @@
 
 #include "apps/quern/load.h"
 #include "apps/quern/recorder.h"
+#include "apps/quern/start.h"
 #include "io/checkpoint.h"
 #include "io/file_commit.h"
 #include "io/log.h"
 #include "io/scene_reader.h"
-#include "scheduler/exchange.h"
 #include "scheduler/phases.h"
-#include "scheduler/rain.h"
 #include "scheduler/step.h"
 
 namespace quern {
@@ -44,41 +42,13 @@ template <class Real>
 class Run {
  public:
   Run(LoadedScene loaded, const RunOptions& options, const std::string& checkpoint)
-      : loaded_(std::move(loaded)), options_(options), started_(now()) {
+      : options_(options),
+        started_(now()),
+        start_(start_of(std::move(loaded), options, checkpoint)),
+        loaded_(start_->loaded),
+        world_(start_->world),
+        plan_(start_->plan) {
     const Scene& scene = loaded_.scene;
-    SceneGeometry geometry = build_geometry(scene, loaded_.meshes, loaded_.seeds);
-    const bool fills = checkpoint.empty() && scene.run.start == StartKind::kFill;
-    const bool rains = scene.run.start == StartKind::kFill && inserted_later(scene);
-    double fall = 0;
-    if (fills) {
-      forget_old_run();
-      fall = fill(geometry);
-    }
-    std::vector<ParticleSeed> early;  // of a scene with rain: those there from the start
-    for (const ParticleSeed& p : loaded_.seeds) {
-      if (rains && is_explicit(scene, p)) early.push_back(p);
-      smallest_ = std::min(smallest_, p.inner());
-      scene_mass_ += scene.materials[p.material].density * sphere_volume(p.radius);
-    }
-    world_ = make_world<Real>(scene, std::move(geometry), loaded_.seeds,
-                              rains ? early : loaded_.seeds, std::move(loaded_.shapes));
-    if (fills) {
-      world_.clock.fall = fall;
-    } else if (checkpoint.empty()) {
-      start_from(start_path(scene));
-      forget_old_run();
-    } else {
-      read_checkpoint(checkpoint, [&](StateVisitor& v) { world_.visit(v); });
-      warn_of_target(read_checkpoint_header(checkpoint));
-      count_mass();
-    }
-    if (rains) {
-      rain_ = std::make_unique<Rain>(scene, bodies_of(world_), loaded_.seeds);
-    } else {
-      std::vector<ParticleSeed>().swap(loaded_.seeds);  // tens of megabytes in a large scene
-    }
-    if (rain_) rain_->resume_after(world_.clock.inserted);
-    plan_ = plan_phases(scene, loaded_.dt, world_.clock.fall, scene_mass_, smallest_);
     stepper_ = std::make_unique<Stepper<Real>>(world_, options.threads);
     const bool resumed = !checkpoint.empty();
     const bool in_run = resumed && world_.clock.phase + 1 == plan_.size();
@@ -109,139 +79,25 @@ class Run {
   }
 
  private:
+  static std::unique_ptr<Start<Real>> start_of(LoadedScene loaded, const RunOptions& options,
+                                               const std::string& checkpoint) {
+    const bool fresh = checkpoint.empty(), fills = is_filled(loaded.scene);
+    if (fresh && fills) forget_old_run(options);
+    auto start = std::make_unique<Start<Real>>(std::move(loaded), checkpoint, log_info);
+    if (fresh && !fills) forget_old_run(options);  // it may be what this one starts from
+    return start;
+  }
+
   // What another run has left in the folder would be taken for this one's.
-  void forget_old_run() const {
+  static void forget_old_run(const RunOptions& options) {
     for (const char* name : {"summary.json", "checkpoint.h5", "checkpoint.previous.h5"}) {
       std::error_code error;
-      fs::remove(fs::path(options_.out) / name, error);
+      fs::remove(fs::path(options.out) / name, error);
       if (error) {
         throw SystemError(
-            fmt::format("cannot remove '{}/{}': {}", options_.out, name, error.message()));
+            fmt::format("cannot remove '{}/{}': {}", options.out, name, error.message()));
       }
     }
-  }
-
-  static void warn_of_target(const CheckpointHeader& header) {
-    const std::string target = choose_kernels<Real>().target;
-    if (header.simd_target == target) return;
-    log_warn(fmt::format("the run was computed with {}, this machine has {}: its bits will differ",
-                         header.simd_target, target));
-  }
-
-  static std::string start_path(const Scene& scene) {
-    const fs::path path = fs::path(scene.folder) / scene.run.start_file;
-    return fs::is_directory(path) ? usable_checkpoint(path.string()) : path.string();
-  }
-
-  static std::vector<const Facets*> bodies_of(const World<Real>& world) {
-    std::vector<const Facets*> all;
-    for (const Body& body : world.bodies) all.push_back(&body.facets);
-    return all;
-  }
-
-  // Places the particles; returns how far the charge may fall.
-  double fill(SceneGeometry& geometry) {
-    const Scene& scene = loaded_.scene;
-    const std::vector<const Facets*> walls = geometry.facets();
-    const FillReport report = place_particles(scene, walls, loaded_.seeds);
-    include_fill(scene, report.low, report.high, geometry);
-    if (inserted_later(scene)) {
-      log_info(
-          fmt::format("{} particles rain in over {:g} s", loaded_.seeds.size(), scene.fill.over));
-      return (geometry.high - geometry.low).norm();
-    }
-    log_info(fmt::format("placed {} particles in {:.1f} s, solid fraction {:.3f}",
-                         loaded_.seeds.size(), report.seconds, report.fraction));
-    for (const std::string& line : check_overlaps(scene, walls, loaded_.seeds)) log_warn(line);
-    return (report.high - report.low).maxCoeff();
-  }
-
-  // Rain: lets in what is due by now, in the first phase.
-  void let_in() {
-    if (!rain_ || world_.clock.phase != 0 || rain_->waiting() == 0) return;
-    constexpr std::uint64_t kEvery = 50;
-    if (world_.clock.step % kEvery != 0) return;
-    const std::vector<std::size_t> in =
-        rain_->insert(world_.time() + 1e-9, room_taken(), loaded_.seeds);
-    if (in.empty()) return;
-    std::vector<ParticleSeed> fresh;
-    for (const std::size_t k : in) fresh.push_back(loaded_.seeds[k]);
-    append_particles(world_, loaded_.scene, fresh);
-    world_.clock.inserted = rain_->inserted();
-  }
-
-  // By the particles there are: each with the sphere around it.
-  std::vector<PlacedSphere> room_taken() const {
-    std::vector<PlacedSphere> taken;
-    for (const Record<Real>& r : world_.particles.record) {
-      taken.push_back({Vec3(r.x, r.y, r.z), static_cast<double>(r.radius)});
-    }
-    const Polyhedra<Real>& p = world_.polyhedra;
-    for (std::size_t k = 0; k < p.size(); ++k) {
-      taken.push_back({p.place(k), world_.shapes[p.shape[k]].bound_radius * p.scale[k]});
-    }
-    return taken;
-  }
-
-  void count_mass() {
-    world_.total_mass = 0;
-    for (const Traits<Real>& traits : world_.particles.traits) {
-      world_.total_mass += 1 / static_cast<double>(traits.inverse_mass);
-    }
-    for (const double inverse_mass : world_.polyhedra.inverse_mass) {
-      world_.total_mass += 1 / inverse_mass;
-    }
-  }
-
-  // Another run's state becomes this run's start; where that run knew spheres only, those that this
-  // scene wants as polyhedra are exchanged.
-  void start_from(const std::string& path) {
-    Scene& scene = loaded_.scene;
-    const CheckpointHeader header = read_checkpoint_header(path);
-    if (header.precision != precision_name(scene)) {
-      throw UserError(fmt::format(
-          "run.start_file: '{}' holds a run of precision \"{}\", this scene asks for \"{}\"; set "
-          "run.precision",
-          path, header.precision, precision_name(scene)));
-    }
-    warn_of_target(header);
-    const std::vector<ParticleSpec> there =
-        parse_scene(header.scene_text, path, scene.folder, {}, StartFile::kReadBefore)
-            .scene.particles;
-    const Vec3 low = world_.low, high = world_.high;
-    const bool exchange =
-        !world_.shapes.empty() && std::none_of(there.begin(), there.end(), has_polyhedra);
-    std::vector<Shape> shapes;
-    if (exchange) std::swap(shapes, world_.shapes);  // without shapes a world reads no polyhedra
-    read_checkpoint(path, [&](StateVisitor& v) { world_.visit(v); });
-    if (exchange) {
-      world_ = exchange_shapes(std::move(world_), scene, loaded_.seeds, std::move(shapes));
-      scene.run.relax = scene.run.relax.value_or(kExchangeRelax);
-      log_info(fmt::format("{} spheres became polyhedra; they are relaxed for {:g} s",
-                           world_.polyhedra.size(), *scene.run.relax));
-    } else {
-      count_mass();
-    }
-    world_.low = low;
-    world_.high = high;
-    include_charge(scene, world_);
-    restart_clock();
-  }
-
-  // The clock and the account begin anew.
-  void restart_clock() {
-    world_.clock.step = 0;
-    world_.clock.phase = 0;
-    world_.clock.dt = loaded_.dt;
-    world_.clock.list_stale = 1;
-    world_.clock.rebuilds = 0;
-    world_.clock.warnings = 0;
-    world_.polyhedra.fallbacks = Fallbacks();
-    const std::optional<double> slack = loaded_.scene.run.list_slack;
-    world_.clock.fixed_slack = slack ? 1 : 0;
-    if (slack) world_.clock.slack = *slack;
-    world_.ledger = Ledger();
-    world_.window = Window();
   }
 
   bool run_phase(const PhasePlan& phase) {
@@ -254,7 +110,7 @@ class Run {
         stopped_ = true;
         break;
       }
-      let_in();
+      start_->let_in();
       const double before = now();
       const StepReport report = stepper_->step();
       if (run) {
@@ -262,7 +118,8 @@ class Run {
         ++figures_.run_steps;
       }
       if ((report.bits & kFatalBits) != 0) {
-        figures_.error = failure(report, phase);
+        figures_.error = fmt::format("{}; the state before is in {}/checkpoint.h5",
+                                     failure_text(world_, report, phase), options_.out);
         log_error(figures_.error);
         return false;
       }
@@ -318,31 +175,6 @@ class Run {
     if (recorder_) recorder_->keep();
     write_checkpoint(folder, header, [&](StateVisitor& v) { world_.visit(v); });
     last_checkpoint_ = now();
-  }
-
-  // What went wrong, where and when.
-  std::string failure(const StepReport& report, const PhasePlan& phase) const {
-    const Offender& o = report.first;
-    std::string what;
-    if ((report.bits & kNotFinite) != 0) {
-      what = "a position or velocity is not finite";
-    } else if ((report.bits & kOutside) != 0) {
-      what = "a particle has left the domain";
-    } else {
-      what = fmt::format("an overlap reached {:.2f} of the smaller radius", report.max_overlap);
-    }
-    std::string partner;
-    if (o.partner != kNoIndex && o.partner_is_wall) {
-      partner = fmt::format(" against wall '{}'", world_.walls[o.partner].name);
-    } else if (o.partner != kNoIndex) {
-      partner = fmt::format(" against particle {}", o.partner);
-    }
-    return fmt::format(
-        "{}: particle {} at ({:.6g}, {:.6g}, {:.6g}) m{}, {} t = {:.6g} s, step {}; the state "
-        "before is in {}/checkpoint.h5",
-        what, o.id, o.position[0], o.position[1], o.position[2], partner,
-        phase.kind == Phase::kRun ? "running at" : "settling at",
-        static_cast<double>(world_.clock.step) * phase.dt, world_.clock.step, options_.out);
   }
 
   // Of the run phase: seconds of the clock, and what the threads did in the tasks.
@@ -421,27 +253,18 @@ class Run {
     return 0;
   }
 
-  LoadedScene loaded_;
   RunOptions options_;
   double started_ = 0, last_checkpoint_ = 0;
-  World<Real> world_;
-  std::vector<PhasePlan> plan_;
+  std::unique_ptr<Start<Real>> start_;
+  const LoadedScene& loaded_;
+  World<Real>& world_;
+  const std::vector<PhasePlan>& plan_;
   std::unique_ptr<Stepper<Real>> stepper_;
   std::unique_ptr<Recorder> recorder_;
   RunFigures figures_;
   Progress progress_;
-  std::unique_ptr<Rain> rain_;
-  double smallest_ = 1e300, scene_mass_ = 0;
   bool stopped_ = false;
 };
-
-// Rebuilds take and give back columns of many megabytes. Left to itself the allocator soon keeps
-// such blocks, in pieces, and the run grows by half; above a megabyte each block is mapped and
-// returned.
-void return_large_blocks() {
-  mallopt(M_MMAP_THRESHOLD, 1 << 20);
-  mallopt(M_TRIM_THRESHOLD, 1 << 20);
-}
 
 int start(LoadedScene loaded, const RunOptions& options, const std::string& checkpoint) {
   return_large_blocks();
