@@ -8,6 +8,7 @@
 
 #include "kernels/body_contacts.h"
 #include "kernels/pairs/sphere_sphere-inl.h"
+#include "soa/polyhedra.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace quern {
@@ -61,6 +62,7 @@ struct NearTouchV {
 // History of a slot in f64 lanes: spring, force, normal and overlap of the last step, contact
 // point.
 constexpr int kNearHistory = 16;
+static_assert(kNearHistory == PolyhedronSphereBatch<float>::kHistoryStride);
 
 template <class Real>
 HWY_INLINE void load_history(Real* const* history, hn::Vec<D64> (&h)[kNearHistory]) {

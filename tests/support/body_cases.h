@@ -147,16 +147,7 @@ struct NearCases {
     for (std::size_t s = 0; s < record.size(); ++s) {
       const double radius = random(0.005, 0.01);
       const Vec3 x = random.in_cube(4), v = random.in_cube(5), w = random.in_cube(50);
-      record[s] = {x.x(),
-                   x.y(),
-                   x.z(),
-                   v.x(),
-                   v.y(),
-                   v.z(),
-                   static_cast<Real>(w.x()),
-                   static_cast<Real>(w.y()),
-                   static_cast<Real>(w.z()),
-                   static_cast<Real>(radius)};
+      record[s] = record_of<Real>(x, v, w, radius);
       const double mass = random(1000, 8000) * 4.19 * radius * radius * radius;
       traits[s] = {static_cast<Real>(1 / mass),
                    make_tag(static_cast<std::uint32_t>(random.below(options.materials)),

@@ -40,6 +40,21 @@ void for_each_target(const std::function<void(const std::string&)>& body) {
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
+// Of a sphere at x (m), with its velocity (m/s) and spin (rad/s).
+template <class Real>
+Record<Real> record_of(const Vec3& x, const Vec3& v, const Vec3& w, double radius) {
+  return {x.x(),
+          x.y(),
+          x.z(),
+          v.x(),
+          v.y(),
+          v.z(),
+          static_cast<Real>(w.x()),
+          static_cast<Real>(w.y()),
+          static_cast<Real>(w.z()),
+          static_cast<Real>(radius)};
+}
+
 struct CaseOptions {
   Index materials = 1;
   bool clamped = true, tangential_damping = true, rolling = false, periodic = false;

@@ -44,16 +44,7 @@ struct Crowd {
     for (double& r : rows) r = random(-10, 10);
     for (std::size_t k = 0; k < n; ++k) {
       const Vec3 x = random.in_cube(4), v = random.in_cube(5), w = random.in_cube(50);
-      now[k] = {x.x(),
-                x.y(),
-                x.z(),
-                v.x(),
-                v.y(),
-                v.z(),
-                static_cast<Real>(w.x()),
-                static_cast<Real>(w.y()),
-                static_cast<Real>(w.z()),
-                static_cast<Real>(random(0.005, 0.05))};
+      now[k] = test::record_of<Real>(x, v, w, random(0.005, 0.05));
       next[k] = now[k];
       allowance[k] = static_cast<float>(random(0, 8e-3));
       traits[k].inverse_mass = static_cast<Real>(1 / random(0.01, 5));
