@@ -170,7 +170,7 @@ void push_spheres(const StepConstants<double>& step, const ParticleView<Real>& p
     row = hn::Add(hn::Mul(row, hn::Set(D64I(), step.law.materials)), of_body);
     const auto k = load_coefficients<double>(step.law, row);
     set_elastic(k.kn, c.overlap_cap, t);
-    const ResponseV<V> r = respond<double>(step, k, t, old, touching);
+    const ResponseV<V> r = respond<double, DampedLaw>(step, k, t, old, touching);
     const Vec3V<V> normal = keep_if(touching, t.normal), point = keep_if(touching, g.point);
     const V now[kNearHistory] = {
         r.spring.x, r.spring.y, r.spring.z, r.force.x, r.force.y,
@@ -225,7 +225,7 @@ inline void push_bodies(const StepConstants<double>& step, const BodyContacts& c
     const V zero = hn::Zero(d);
     const HistoryV<V> old = {vector(B::kSpring), vector(B::kForce), {zero, zero, zero}};
     const auto row = hn::PromoteTo(D64I(), hn::BitCast(D32I(), hn::LoadU(D32U(), c.law_row + at)));
-    const ResponseV<V> r = respond<double>(step, load_coefficients<double>(step.law, row), t, old,
+    const ResponseV<V> r = respond<double, DampedLaw>(step, load_coefficients<double>(step.law, row), t, old,
                                            hn::Gt(t.overlap, zero));
     const auto store = [&](int k, V v) HWY_ATTR { hn::StoreU(v, d, c.row(k) + at); };
     store3(r.spring, c.row(B::kSpring) + at, c.stride);

@@ -42,6 +42,7 @@ struct StepConstants {
   bool damped;    // any tangential damping in the table
   double period[3];          // m; 0: not periodic
   double inverse_period[3];  // 1/m; 0: not periodic
+  double nearest2 = 0;       // m^2, least half period: of two that are nearer none is an image
 };
 
 // Particles of the whole scene as the last step left them.

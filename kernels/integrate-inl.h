@@ -16,13 +16,11 @@ namespace HWY_NAMESPACE {
 
 // Rows first ... first + lanes - 1 of the accumulator as lanes.
 HWY_INLINE void load_sums(const double* rows, hn::Vec<D64> (&c)[8]) {
-  const D64 d;
-#if QUERN_ROWS_IN_REGISTERS
-  for (int k = 0; k < 8; ++k) c[k] = hn::Load(d, rows + 8 * k);
+#if QUERN_AVX512
+  for (int k = 0; k < 8; ++k) c[k] = hn::Load(D64(), rows + 8 * k);
   transpose8(c);
 #else
-  const auto at = hn::Mul(hn::Iota(D64I(), 0), hn::Set(D64I(), 8));
-  for (int k = 0; k < 8; ++k) c[k] = hn::GatherIndex(d, rows + k, at);
+  load_rows([&](std::size_t lane) HWY_ATTR { return rows + 8 * lane; }, c);
 #endif
 }
 
@@ -46,12 +44,12 @@ HWY_INLINE void store_records(const Vec3V<hn::Vec<D64>>& x, const Vec3V<hn::Vec<
   hn::StoreU(to_real<Real>(w.z), dr, narrow[2]);
   hn::StoreU(radius, dr, narrow[3]);
   for (std::size_t k = 0; k < count; ++k) {
-    to[k] = {wide[0][k], wide[1][k],   wide[2][k],   wide[3][k],   wide[4][k],
-             wide[5][k], narrow[0][k], narrow[1][k], narrow[2][k], narrow[3][k]};
+    to[k] = {wide[0][k], wide[1][k], wide[2][k], narrow[3][k], narrow[0][k],
+             wide[3][k], wide[4][k], wide[5][k], narrow[1][k], narrow[2][k]};
   }
 }
 
-#if QUERN_ROWS_IN_REGISTERS
+#if QUERN_AVX512
 // Eight whole records, turned in registers; written past the caches, which do not hold them until the
 // next step anyway.
 HWY_INLINE void store_full_records(const Vec3V<hn::Vec<D64>>& x, const Vec3V<hn::Vec<D64>>& v,
@@ -63,8 +61,8 @@ HWY_INLINE void store_full_records(const Vec3V<hn::Vec<D64>>& x, const Vec3V<hn:
     return V64{_mm512_castsi512_pd(_mm512_or_si512(a, _mm512_slli_epi64(b, 32)))};
   };
   const Vec3V<hn::Vec<HalfLanes<float>>> spin = to_real<float>(w);
-  V64 c[8] = {x.x, x.y, x.z, v.x, v.y, v.z, two_f32(spin.x.raw, spin.y.raw),
-              two_f32(spin.z.raw, radius.raw)};
+  V64 c[8] = {x.x, x.y, x.z, two_f32(radius.raw, spin.x.raw),
+              v.x, v.y, v.z, two_f32(spin.y.raw, spin.z.raw)};
   transpose8(c);
   for (int k = 0; k < 8; ++k) hn::Stream(c[k], D64(), reinterpret_cast<double*>(to + k));
 }
@@ -122,7 +120,7 @@ void move_spheres(const MoveView<Real>& m, const TileRows& tile, double dt, Move
                                hn::LoadU(d, m.spin[2] + at)};
     const Vec3V<V> spin_kicked = add_scaled(spin_old, twist, torque);
     const Vec3V<V> spin = scale(drag, spin_kicked);
-#if QUERN_ROWS_IN_REGISTERS
+#if QUERN_AVX512
     if constexpr (sizeof(Real) == sizeof(float)) {
       if (count == 8) {
         store_full_records(place, velocity, spin, p.radius, m.next + at);

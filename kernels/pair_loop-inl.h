@@ -14,15 +14,6 @@ HWY_BEFORE_NAMESPACE();
 namespace quern {
 namespace HWY_NAMESPACE {
 
-// As many partners as an f64 vector has lanes.
-template <class Real>
-struct PartnerV {
-  Vec3V<hn::Vec<D64>> place, velocity;
-  Vec3V<hn::Vec<HalfLanes<Real>>> spin;
-  hn::Vec<HalfLanes<Real>> radius, inverse_mass, contacts;
-  hn::Vec<hn::RebindToSigned<HalfLanes<Real>>> material;
-};
-
 // u32 lanes as the signed integer lanes that go with Real.
 template <class Real, class V>
 HWY_INLINE auto to_index(V v) {
@@ -33,198 +24,171 @@ HWY_INLINE auto to_index(V v) {
   }
 }
 
-#if QUERN_ROWS_IN_REGISTERS
-// Eight 64-byte records turned in registers: a third of the cost of ten gathers. The last two columns
-// hold (wx, wy) and (wz, radius) as pairs of f32.
-HWY_INLINE void load_columns(const Record<float>* record, const Index* lane, V64 (&c)[8]) {
-  // Halves of two records are loaded into one register, in the order that leaves the lanes sorted
-  // after two rounds of shuffles instead of three.
-  const auto pair = [&](int low, int high, int half) HWY_ATTR {
-    const double* a = reinterpret_cast<const double*>(record + lane[low]) + 4 * half;
-    const double* b = reinterpret_cast<const double*>(record + lane[high]) + 4 * half;
-    return _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_load_pd(a)), _mm256_load_pd(b), 1);
-  };
-  const auto turn = [&](int half, V64* to) HWY_ATTR {
-    const __m512d r02 = pair(0, 2, half), r13 = pair(1, 3, half);
-    const __m512d r46 = pair(4, 6, half), r57 = pair(5, 7, half);
-    const __m512d even_a = _mm512_unpacklo_pd(r02, r13), odd_a = _mm512_unpackhi_pd(r02, r13);
-    const __m512d even_b = _mm512_unpacklo_pd(r46, r57), odd_b = _mm512_unpackhi_pd(r46, r57);
-    to[0] = V64{_mm512_shuffle_f64x2(even_a, even_b, 0x88)};
-    to[1] = V64{_mm512_shuffle_f64x2(odd_a, odd_b, 0x88)};
-    to[2] = V64{_mm512_shuffle_f64x2(even_a, even_b, 0xdd)};
-    to[3] = V64{_mm512_shuffle_f64x2(odd_a, odd_b, 0xdd)};
-  };
-  turn(0, c);
-  turn(1, c + 4);
+// Pairs of 32-bit numbers in f64 lanes: the first or the second of each, as f32 lanes.
+template <class V>
+HWY_INLINE hn::Vec<HalfLanes<float>> first_f32(V pairs) {
+  return hn::BitCast(HalfLanes<float>(), hn::TruncateTo(D32U(), hn::BitCast(D64U(), pairs)));
 }
-HWY_INLINE void load_rows(const ParticleView<float>& p, const Index* lane, PartnerV<float>& out) {
-  V64 c[8];
-  load_columns(p.record, lane, c);
-  out.place = {c[0], c[1], c[2]};
-  out.velocity = {c[3], c[4], c[5]};
-  const __m512i low = _mm512_castpd_si512(c[6].raw), high = _mm512_castpd_si512(c[7].raw);
-  const auto even = [](__m512i v) {
-    return hn::Vec<HalfLanes<float>>{_mm256_castsi256_ps(_mm512_cvtepi64_epi32(v))};
-  };
-  out.spin = {even(low), even(_mm512_srli_epi64(low, 32)), even(high)};
-  out.radius = even(_mm512_srli_epi64(high, 32));
+template <class V>
+HWY_INLINE hn::Vec<HalfLanes<float>> second_f32(V pairs) {
+  return hn::BitCast(HalfLanes<float>(),
+                     hn::TruncateTo(D32U(), hn::ShiftRight<32>(hn::BitCast(D64U(), pairs))));
 }
-#endif
-
-template <class Real>
-HWY_INLINE void gather_rows(const ParticleView<Real>& p, const Index* lane, PartnerV<Real>& out) {
-  const HalfLanes<Real> dr;
-  constexpr int kF64PerRecord = sizeof(Record<Real>) / sizeof(double);
-  constexpr int kRealPerRecord = sizeof(Record<Real>) / sizeof(Real);
-  const auto index = hn::LoadU(D32U(), lane);
-  const auto wide = hn::PromoteTo(D64I(), hn::BitCast(D32I(), index));
-  const auto at = hn::Mul(wide, hn::Set(D64I(), kF64PerRecord));
-  const double* base = &p.record->x;
-  const auto f64 = [&](int field) HWY_ATTR { return hn::GatherIndex(D64(), base + field, at); };
-  out.place = {f64(0), f64(1), f64(2)};
-  out.velocity = {f64(3), f64(4), f64(5)};
-  const hn::RebindToSigned<HalfLanes<Real>> di;
-  const auto at_real =
-      hn::Mul(to_index<Real>(index), hn::Set(di, static_cast<hn::TFromD<decltype(di)>>(kRealPerRecord)));
-  const Real* reals = &p.record->wx;
-  const auto real = [&](int field) HWY_ATTR { return hn::GatherIndex(dr, reals + field, at_real); };
-  out.spin = {real(0), real(1), real(2)};
-  out.radius = real(3);
-}
-
-// A tag as lanes: material and number of contacts.
-template <class Real, class V>
-HWY_INLINE void set_tag(V tag, PartnerV<Real>& out) {
-  const hn::DFromV<V> d;
-  out.material = hn::And(tag, hn::Set(d, 0xffff));
-  out.contacts = hn::ConvertTo(HalfLanes<Real>(), hn::ShiftRight<16>(tag));
-}
-HWY_INLINE void load_traits(const Traits<double>* traits, const Index* lane, PartnerV<double>& out) {
-  const D64I d;
-  const auto index = hn::PromoteTo(d, hn::BitCast(D32I(), hn::LoadU(D32U(), lane)));
-  const auto at = hn::Add(index, index);
-  out.inverse_mass = hn::GatherIndex(D64(), &traits->inverse_mass, at);
-  set_tag(hn::GatherIndex(d, reinterpret_cast<const std::int64_t*>(&traits->tag), at), out);
-}
-#if QUERN_ROWS_IN_REGISTERS
-// Mass and tag of eight particles as eight f64 lanes.
-HWY_INLINE V64 load_traits_bits(const Traits<float>* traits, const Index* lane) {
-  const auto two = [&](int low) HWY_ATTR {
-    const double* a = reinterpret_cast<const double*>(traits + lane[low]);
-    const double* b = reinterpret_cast<const double*>(traits + lane[low + 1]);
-    return _mm_loadh_pd(_mm_load_sd(a), b);
-  };
-  const __m256d low = _mm256_insertf128_pd(_mm256_castpd128_pd256(two(0)), two(2), 1);
-  const __m256d high = _mm256_insertf128_pd(_mm256_castpd128_pd256(two(4)), two(6), 1);
-  return V64{_mm512_insertf64x4(_mm512_castpd256_pd512(low), high, 1)};
-}
-#endif
-HWY_INLINE void load_traits(const Traits<float>* traits, const Index* lane, PartnerV<float>& out) {
-#if QUERN_ROWS_IN_REGISTERS
-  const auto both = load_traits_bits(traits, lane);
+// The same of two halves, as full vectors.
+template <class V>
+HWY_INLINE hn::Vec<Lanes<float>> first_f32(V low, [[maybe_unused]] V high) {
+#if HWY_TARGET == HWY_SCALAR
+  return first_f32(low);
 #else
-  const auto both = hn::GatherIndex(
-      D64I(), reinterpret_cast<const std::int64_t*>(traits),
-      hn::PromoteTo(D64I(), hn::BitCast(D32I(), hn::LoadU(D32U(), lane))));
+  const Lanes<float> d;
+  return hn::ConcatEven(d, hn::BitCast(d, high), hn::BitCast(d, low));
 #endif
-  // The low half of each lane is the inverse mass, the high half is the tag.
-  const auto bits = hn::BitCast(hn::RebindToUnsigned<D64>(), both);
-  out.inverse_mass = hn::BitCast(HalfLanes<float>(), hn::TruncateTo(D32U(), bits));
-  set_tag(hn::BitCast(D32I(), hn::TruncateTo(D32U(), hn::ShiftRight<32>(bits))), out);
+}
+template <class V>
+HWY_INLINE hn::Vec<Lanes<float>> second_f32(V low, [[maybe_unused]] V high) {
+#if HWY_TARGET == HWY_SCALAR
+  return second_f32(low);
+#else
+  const Lanes<float> d;
+  return hn::ConcatOdd(d, hn::BitCast(d, high), hn::BitCast(d, low));
+#endif
 }
 
+// Records as lanes, as many as an f64 vector has, in the two halves of their lines. What is no f64
+// comes as it lies there, pairs of f32 in `mixed`.
 template <class Real>
-HWY_INLINE PartnerV<Real> load_partner(const ParticleView<Real>& p, const Index* lane) {
-  PartnerV<Real> out;
-#if QUERN_ROWS_IN_REGISTERS
-  if constexpr (sizeof(Real) == sizeof(float)) {
-    load_rows(p, lane, out);
-  } else {
-    gather_rows(p, lane, out);
+struct PlaceV {
+  Vec3V<hn::Vec<D64>> place;
+  hn::Vec<D64> rest;  // (radius, wx); f64: radius
+};
+template <class Real>
+struct MotionV {
+  Vec3V<hn::Vec<D64>> velocity;
+  hn::Vec<D64> rest;           // (wy, wz); f64: wx
+  hn::Vec<D64> more[2];        // f64: wy, wz
+  hn::Vec<D64> traits[2];      // (inverse mass, tag); f64: inverse mass, bits of the tag
+};
+
+// Eight bytes a lane, from anywhere.
+template <std::size_t kCount, class From>
+HWY_INLINE auto load_each(const From& from, std::size_t lane = 0) {
+  const hn::FixedTag<double, kCount> d;
+  if constexpr (kCount == 1) {
+    double one;
+    std::memcpy(&one, from(lane), sizeof one);
+    return hn::Set(d, one);
   }
-#else
-  gather_rows(p, lane, out);
+#if HWY_TARGET != HWY_SCALAR
+  if constexpr (kCount > 1) {
+    const auto low = load_each<kCount / 2>(from, lane);
+    return hn::Combine(d, load_each<kCount / 2>(from, lane + kCount / 2), low);
+  }
 #endif
-  load_traits(p.traits, lane, out);
-  return out;
 }
 
-// A full vector of partners is loaded in halves, so that the f64 places and velocities of one half are
-// used up before the next one needs the registers; the rest is joined to vectors of Real lanes.
-#if QUERN_ROWS_IN_REGISTERS
-struct PackedRestV {
-  V64 low, high, traits;  // pairs of f32: (wx, wy), (wz, radius), (inverse mass, tag)
-};
-#endif
 template <class Real>
-struct HalfPartnersV {
-  Vec3V<hn::Vec<D64>> place, velocity;
-#if QUERN_ROWS_IN_REGISTERS
-  std::conditional_t<sizeof(Real) == sizeof(float), PackedRestV, PartnerV<Real>> rest;
-#else
-  PartnerV<Real> rest;
-#endif
-};
+HWY_INLINE PlaceV<Real> load_places(const ParticleView<Real>& p, const Index* lane) {
+  hn::Vec<D64> c[4];
+  load_quads([&](std::size_t k) HWY_ATTR { return &p.record[lane[k]].x; }, c);
+  return {{c[0], c[1], c[2]}, c[3]};
+}
 template <class Real>
-struct PartnersV {
+HWY_INLINE MotionV<Real> load_motions(const ParticleView<Real>& p, const Index* lane) {
+  constexpr std::size_t kLanes = hn::MaxLanes(D64());
+  MotionV<Real> m;
+  hn::Vec<D64> c[4];
+  if constexpr (sizeof(Real) == sizeof(float)) {
+    load_quads([&](std::size_t k) HWY_ATTR { return &p.record[lane[k]].vx; }, c);
+    m.velocity = {c[0], c[1], c[2]};
+    m.rest = c[3];
+    m.traits[0] = load_each<kLanes>([&](std::size_t k) HWY_ATTR { return p.traits + lane[k]; });
+  } else {
+    load_quads([&](std::size_t k) HWY_ATTR { return &p.record[lane[k]].wx; }, c);
+    m.velocity = {c[1], c[2], c[3]};
+    m.rest = c[0];
+    const auto each = [&](auto field) HWY_ATTR {
+      return load_each<kLanes>([&](std::size_t k) HWY_ATTR { return field(lane[k]); });
+    };
+    m.more[0] = each([&](Index k) HWY_ATTR { return &p.record[k].wy; });
+    m.more[1] = each([&](Index k) HWY_ATTR { return &p.record[k].wz; });
+    m.traits[0] = each([&](Index k) HWY_ATTR { return &p.traits[k].inverse_mass; });
+    m.traits[1] = each([&](Index k) HWY_ATTR { return &p.traits[k].tag; });
+  }
+  return m;
+}
+
+// A full vector of partners is loaded in halves, so that the f64 places of one half are used up before
+// the next one needs the registers; the rest is joined to vectors of Real lanes.
+template <class Real>
+HWY_INLINE hn::Vec<Lanes<Real>> join_radius(const PlaceV<Real>& low, const PlaceV<Real>& high) {
+  if constexpr (sizeof(Real) == sizeof(float)) {
+    return first_f32(low.rest, high.rest);
+  } else {
+    return low.rest;
+  }
+}
+template <class Real>
+struct BodyV {
   using V = hn::Vec<Lanes<Real>>;
   Vec3V<V> spin;
-  V radius, inverse_mass, contacts;
+  V inverse_mass, contacts;
   hn::Vec<hn::RebindToSigned<Lanes<Real>>> material;
 };
-
 template <class Real>
-HWY_INLINE HalfPartnersV<Real> load_half(const ParticleView<Real>& p, const Index* lane) {
-#if QUERN_ROWS_IN_REGISTERS
+HWY_INLINE BodyV<Real> join_bodies(const PlaceV<Real>& low, const PlaceV<Real>& high,
+                                   const MotionV<Real>& low_motion,
+                                   const MotionV<Real>& high_motion) {
+  const hn::RebindToSigned<Lanes<Real>> di;
+  BodyV<Real> b;
+  hn::Vec<decltype(di)> tag;
   if constexpr (sizeof(Real) == sizeof(float)) {
-    V64 c[8];
-    load_columns(p.record, lane, c);
-    return {{c[0], c[1], c[2]},
-            {c[3], c[4], c[5]},
-            {c[6], c[7], load_traits_bits(p.traits, lane)}};
+    b.spin = {second_f32(low.rest, high.rest), first_f32(low_motion.rest, high_motion.rest),
+              second_f32(low_motion.rest, high_motion.rest)};
+    b.inverse_mass = first_f32(low_motion.traits[0], high_motion.traits[0]);
+    tag = hn::BitCast(di, second_f32(low_motion.traits[0], high_motion.traits[0]));
   } else {
-    const PartnerV<Real> all = load_partner(p, lane);
-    return {all.place, all.velocity, all};
+    b.spin = {low_motion.rest, low_motion.more[0], low_motion.more[1]};
+    b.inverse_mass = low_motion.traits[0];
+    tag = hn::BitCast(di, low_motion.traits[1]);
   }
-#else
-  const PartnerV<Real> all = load_partner(p, lane);
-  return {all.place, all.velocity, all};
-#endif
+  // A tag is a material and a number of contacts.
+  b.contacts = hn::ConvertTo(Lanes<Real>(), hn::ShiftRight<16>(tag));
+  b.material = hn::And(tag, hn::Set(di, 0xffff));
+  return b;
 }
 
-#if QUERN_ROWS_IN_REGISTERS
-HWY_INLINE PartnersV<float> join_partners(const HalfPartnersV<float>& low,
-                                          const HalfPartnersV<float>& high) {
-  const Lanes<float> d;
-  const auto even = [&](V64 l, V64 h) HWY_ATTR {
-    return hn::ConcatEven(d, hn::BitCast(d, h), hn::BitCast(d, l));
-  };
-  const auto odd = [&](V64 l, V64 h) HWY_ATTR {
-    return hn::ConcatOdd(d, hn::BitCast(d, h), hn::BitCast(d, l));
-  };
-  const PackedRestV &l = low.rest, &h = high.rest;
-  const auto tag = hn::BitCast(hn::RebindToSigned<Lanes<float>>(), odd(l.traits, h.traits));
-  return {{even(l.low, h.low), odd(l.low, h.low), even(l.high, h.high)},
-          odd(l.high, h.high),
-          even(l.traits, h.traits),
-          hn::ConvertTo(d, hn::ShiftRight<16>(tag)),
-          hn::And(tag, hn::Set(hn::DFromV<decltype(tag)>(), 0xffff))};
-}
-HWY_INLINE PartnersV<double> join_partners(const HalfPartnersV<double>& low,
-                                           const HalfPartnersV<double>&) {
-  const PartnerV<double>& l = low.rest;
-  return {l.spin, l.radius, l.inverse_mass, l.contacts, l.material};
-}
-#else
+// All of as many partners as an f64 vector has lanes.
 template <class Real>
-HWY_INLINE PartnersV<Real> join_partners(const HalfPartnersV<Real>& low,
-                                         const HalfPartnersV<Real>& high) {
-  const PartnerV<Real> &l = low.rest, &h = high.rest;
-  return {join<Real>(l.spin, h.spin), join<Real>(l.radius, h.radius),
-          join<Real>(l.inverse_mass, h.inverse_mass), join<Real>(l.contacts, h.contacts),
-          join<Real>(l.material, h.material)};
+struct PartnerV {
+  Vec3V<hn::Vec<D64>> place, velocity;
+  Vec3V<hn::Vec<HalfLanes<Real>>> spin;
+  hn::Vec<HalfLanes<Real>> radius, inverse_mass, contacts;
+  hn::Vec<hn::RebindToSigned<HalfLanes<Real>>> material;
+};
+template <class Real>
+HWY_INLINE PartnerV<Real> load_partner(const ParticleView<Real>& p, const Index* lane) {
+  const hn::RebindToSigned<HalfLanes<Real>> di;
+  const PlaceV<Real> place = load_places(p, lane);
+  const MotionV<Real> motion = load_motions(p, lane);
+  PartnerV<Real> out;
+  out.place = place.place;
+  out.velocity = motion.velocity;
+  hn::Vec<decltype(di)> tag;
+  if constexpr (sizeof(Real) == sizeof(float)) {
+    out.radius = first_f32(place.rest);
+    out.spin = {second_f32(place.rest), first_f32(motion.rest), second_f32(motion.rest)};
+    out.inverse_mass = first_f32(motion.traits[0]);
+    tag = hn::BitCast(di, second_f32(motion.traits[0]));
+  } else {
+    out.radius = place.rest;
+    out.spin = {motion.rest, motion.more[0], motion.more[1]};
+    out.inverse_mass = motion.traits[0];
+    tag = hn::BitCast(di, motion.traits[1]);
+  }
+  out.contacts = hn::ConvertTo(HalfLanes<Real>(), hn::ShiftRight<16>(tag));
+  out.material = hn::And(tag, hn::Set(di, 0xffff));
+  return out;
 }
-#endif
 
 // Vectors of three: as three columns, or as three runs `stride` numbers apart.
 template <class V>

@@ -92,7 +92,13 @@ HWY_INLINE Vec3V<hn::Vec<HalfLanes<Real>>> to_real(const Vec3V<V>& a) {
   return {to_real<Real>(a.x), to_real<Real>(a.y), to_real<Real>(a.z)};
 }
 
-#undef QUERN_ROWS_IN_REGISTERS
+#undef QUERN_AVX512
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+#define QUERN_AVX512 1
+#else
+#define QUERN_AVX512 0
+#endif
+
 // Halves to a full vector of Real lanes and back (one half: the same thing).
 template <class Real, class V>
 HWY_INLINE auto join(const V& low, [[maybe_unused]] const V& high) {
@@ -134,8 +140,74 @@ HWY_INLINE hn::Vec<D64> folded_f64(hn::Vec<Lanes<Real>> v) {
   }
 }
 
-// AVX-512 turns blocks of eight rows in registers; narrower targets pass through a small buffer.
-#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
+#if HWY_TARGET != HWY_SCALAR
+// Four numbers of each lane, which lie together, as four columns; and back: the same exchange.
+template <class V>
+HWY_INLINE void turn_quads(V (&c)[4]) {
+  const hn::DFromV<V> d;
+  const V a = hn::InterleaveLower(d, c[0], c[1]), b = hn::InterleaveUpper(d, c[0], c[1]);
+  const V e = hn::InterleaveLower(d, c[2], c[3]), f = hn::InterleaveUpper(d, c[2], c[3]);
+  c[0] = hn::ConcatLowerLower(d, e, a);
+  c[1] = hn::ConcatLowerLower(d, f, b);
+  c[2] = hn::ConcatUpperUpper(d, e, a);
+  c[3] = hn::ConcatUpperUpper(d, f, b);
+}
+#endif
+
+// quad(lane) points to four f64 that may hold other things of 32 bytes: bits are moved, never read.
+template <class Quad, class V>
+HWY_INLINE void load_quads(const Quad& quad, V (&c)[4]) {
+  [[maybe_unused]] const D64 d;
+#if QUERN_AVX512
+  // Halves of two rows are loaded into one register, in the order that leaves the lanes sorted after
+  // two rounds of shuffles instead of three.
+  const auto pair = [&](std::size_t low, std::size_t high) HWY_ATTR {
+    return _mm512_insertf64x4(_mm512_castpd256_pd512(_mm256_loadu_pd(quad(low))),
+                              _mm256_loadu_pd(quad(high)), 1);
+  };
+  const __m512d r02 = pair(0, 2), r13 = pair(1, 3), r46 = pair(4, 6), r57 = pair(5, 7);
+  const __m512d even_a = _mm512_unpacklo_pd(r02, r13), odd_a = _mm512_unpackhi_pd(r02, r13);
+  const __m512d even_b = _mm512_unpacklo_pd(r46, r57), odd_b = _mm512_unpackhi_pd(r46, r57);
+  c[0] = V{_mm512_shuffle_f64x2(even_a, even_b, 0x88)};
+  c[1] = V{_mm512_shuffle_f64x2(odd_a, odd_b, 0x88)};
+  c[2] = V{_mm512_shuffle_f64x2(even_a, even_b, 0xdd)};
+  c[3] = V{_mm512_shuffle_f64x2(odd_a, odd_b, 0xdd)};
+#elif HWY_TARGET == HWY_SCALAR
+  for (std::size_t k = 0; k < 4; ++k) {
+    double one;
+    std::memcpy(&one, quad(0) + k, sizeof one);
+    c[k] = hn::Set(d, one);
+  }
+#else
+  if constexpr (hn::MaxLanes(d) == 4) {
+    for (std::size_t k = 0; k < 4; ++k) c[k] = hn::LoadU(d, quad(k));
+    turn_quads(c);
+  } else {
+    for (std::size_t k = 0; k < 4; k += 2) {
+      const V a = hn::LoadU(d, quad(0) + k), b = hn::LoadU(d, quad(1) + k);
+      c[k] = hn::InterleaveLower(d, a, b);
+      c[k + 1] = hn::InterleaveUpper(d, a, b);
+    }
+  }
+#endif
+}
+
+// Rows of eight f64, one a lane, that lie anywhere: row(lane) points to the first number. As above.
+template <class Row, class V>
+HWY_INLINE void load_rows(const Row& row, V (&c)[8]) {
+  V low[4], high[4];
+  load_quads([&](std::size_t lane) HWY_ATTR { return reinterpret_cast<const double*>(row(lane)); },
+             low);
+  load_quads(
+      [&](std::size_t lane) HWY_ATTR { return reinterpret_cast<const double*>(row(lane)) + 4; },
+      high);
+  for (int k = 0; k < 4; ++k) {
+    c[k] = low[k];
+    c[4 + k] = high[k];
+  }
+}
+
+#if QUERN_AVX512
 using V64 = hn::Vec<D64>;
 HWY_INLINE void transpose8(V64* c) {
   const D64 d;
@@ -158,70 +230,54 @@ HWY_INLINE void transpose8(V64* c) {
   }
   for (int k = 0; k < 8; ++k) c[k] = b[k];
 }
-#define QUERN_ROWS_IN_REGISTERS 1
-#else
-#define QUERN_ROWS_IN_REGISTERS 0
 #endif
 
-// Rows of eight f64, one a lane, that lie anywhere: row(lane) points to the first number. They may
-// hold other things of 64 bytes: bits are moved, never read.
-template <class Row, class V>
-HWY_INLINE void load_rows(const Row& row, V (&c)[8]) {
-  const D64 d;
-#if QUERN_ROWS_IN_REGISTERS
-  for (std::size_t lane = 0; lane < 8; ++lane) {
-    c[lane] = V{_mm512_loadu_pd(row(lane))};
-  }
-  transpose8(c);
+// Lanes of eight columns as rows: put(lane, at, v) takes numbers at ... of a lane's row, as many as
+// a vector has.
+template <class V, class Put>
+HWY_INLINE void turn_to_rows(const V (&c)[8], const Put& put) {
+  [[maybe_unused]] const D64 d;
+#if QUERN_AVX512
+  V64 t[8] = {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7]};
+  transpose8(t);
+  for (std::size_t lane = 0; lane < 8; ++lane) put(lane, 0, t[lane]);
+#elif HWY_TARGET == HWY_SCALAR
+  for (std::size_t at = 0; at < 8; ++at) put(0, at, c[at]);
 #else
-  constexpr std::size_t kLanes = hn::MaxLanes(D64());
-  HWY_ALIGN double block[8][kLanes];
-  for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
-    double one[8];
-    std::memcpy(one, row(lane), sizeof one);
-    for (int k = 0; k < 8; ++k) block[k][lane] = one[k];
+  if constexpr (hn::MaxLanes(d) == 4) {
+    for (std::size_t at = 0; at < 8; at += 4) {
+      V q[4] = {c[at], c[at + 1], c[at + 2], c[at + 3]};
+      turn_quads(q);
+      for (std::size_t lane = 0; lane < 4; ++lane) put(lane, at, q[lane]);
+    }
+  } else {
+    for (std::size_t at = 0; at < 8; at += 2) {
+      put(0, at, hn::InterleaveLower(d, c[at], c[at + 1]));
+      put(1, at, hn::InterleaveUpper(d, c[at], c[at + 1]));
+    }
   }
-  for (int k = 0; k < 8; ++k) c[k] = hn::Load(d, block[k]);
 #endif
 }
 template <class Row, class V>
 HWY_INLINE void store_rows(const V (&c)[8], const Row& row) {
-#if QUERN_ROWS_IN_REGISTERS
-  V64 t[8] = {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7]};
-  transpose8(t);
-  for (std::size_t lane = 0; lane < 8; ++lane) _mm512_storeu_pd(row(lane), t[lane].raw);
+  turn_to_rows(c, [&](std::size_t lane, std::size_t at, V v) HWY_ATTR {
+    double* to = reinterpret_cast<double*>(row(lane)) + at;
+#if HWY_TARGET == HWY_SCALAR
+    const double one = hn::GetLane(v);
+    std::memcpy(to, &one, sizeof one);
 #else
-  const D64 d;
-  constexpr std::size_t kLanes = hn::MaxLanes(D64());
-  HWY_ALIGN double block[8][kLanes];
-  for (int k = 0; k < 8; ++k) hn::Store(c[k], d, block[k]);
-  for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
-    double one[8];
-    for (int k = 0; k < 8; ++k) one[k] = block[k][lane];
-    std::memcpy(row(lane), one, sizeof one);
-  }
+    hn::StoreU(v, D64(), to);
 #endif
+  });
 }
 // Adds to the rows, lane after lane: lanes may share a row.
 template <class Row, class V>
 HWY_INLINE void add_rows(const V (&c)[8], const Row& row) {
-  const D64 d;
-#if QUERN_ROWS_IN_REGISTERS
-  V64 t[8] = {c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7]};
-  transpose8(t);
-  for (std::size_t lane = 0; lane < 8; ++lane) {
-    double* HWY_RESTRICT to = row(lane);
-    hn::Store(hn::Add(hn::Load(d, to), t[lane]), d, to);
-  }
-#else
-  constexpr std::size_t kLanes = hn::MaxLanes(D64());
-  HWY_ALIGN double block[8][kLanes];
-  for (int k = 0; k < 8; ++k) hn::Store(c[k], d, block[k]);
-  for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
-    double* HWY_RESTRICT to = row(lane);
-    for (int k = 0; k < 8; ++k) to[k] += block[k][lane];
-  }
-#endif
+  turn_to_rows(c, [&](std::size_t lane, std::size_t at, V v) HWY_ATTR {
+    const D64 d;
+    double* to = row(lane) + at;
+    hn::Store(hn::Add(hn::Load(d, to), v), d, to);
+  });
 }
 
 // rows[index[lane]] += c[.][lane]

@@ -206,7 +206,7 @@ LawColumns<Real> law_columns(const Scene& scene, const std::vector<PairValues>& 
     law.tangential_stiffness.push_back(static_cast<Real>(kt));
     law.normal_damping.push_back(static_cast<Real>(2 * zeta * std::sqrt(kn)));
     law.tangential_damping.push_back(static_cast<Real>(at));
-    law.sliding_friction.push_back(static_cast<Real>(p.sliding_friction));
+    law.sliding_friction.push_back(static_cast<Real>(change.friction * p.sliding_friction));
     law.rolling_friction.push_back(static_cast<Real>(p.rolling_friction));
   }
   return law;
@@ -236,10 +236,9 @@ void append_sphere(World<Real>& world, const Scene& scene, const ParticleSeed& s
   Particles<Real>& p = world.particles;
   const Real radius = static_cast<Real>(seed.radius);
   const Vec3 velocity = stored_velocity(world, seed);
-  p.record[k] = {seed.position.x(), seed.position.y(), seed.position.z(),
-                 velocity.x(), velocity.y(), velocity.z(),
-                 static_cast<Real>(seed.spin.x()), static_cast<Real>(seed.spin.y()),
-                 static_cast<Real>(seed.spin.z()), radius};
+  p.record[k] = {seed.position.x(), seed.position.y(), seed.position.z(), radius,
+                 static_cast<Real>(seed.spin.x()), velocity.x(), velocity.y(), velocity.z(),
+                 static_cast<Real>(seed.spin.y()), static_cast<Real>(seed.spin.z())};
   const double mass =
       scene.materials[seed.material].density * sphere_volume(static_cast<double>(radius));
   p.traits[k].inverse_mass = static_cast<Real>(1 / mass);

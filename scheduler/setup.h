@@ -80,6 +80,7 @@ void append_particles(World<Real>& world, const Scene& scene,
 struct LawChange {
   double stiffness = 1;  // factor on all stiffnesses
   bool damped = false;   // tangential damping even if the scene has none
+  double friction = 1;   // factor of sliding friction
 };
 // Fills the tables of the law, changed so.
 template <class Real>

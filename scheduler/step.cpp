@@ -38,10 +38,12 @@ void Stepper<Real>::prepare() {
     c.clamped = world_.clamped;
     c.rolling = world_.rolling;
     c.damped = world_.damped;
+    c.nearest2 = HUGE_VAL;
     for (std::size_t a = 0; a < 3; ++a) {
       const Eigen::Index e = static_cast<Eigen::Index>(a);
       c.period[a] = world_.periodic[a] ? world_.high[e] - world_.low[e] : 0;
       c.inverse_period[a] = world_.periodic[a] ? 1 / c.period[a] : 0;
+      if (world_.periodic[a]) c.nearest2 = std::min(c.nearest2, 0.25 * c.period[a] * c.period[a]);
     }
   };
   fill(constants_);

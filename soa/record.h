@@ -5,9 +5,10 @@
 // neighbours are exact to 1e-15 m and 1e-15 m/s wherever the mill stands and however fast its bed
 // travels; spin and radius have the precision of the force law (Real).
 //
-//   bytes (mixed)   0      24      48     60     64
-//                   x y z  v v v   w w w  radius
+//   bytes (mixed)   0      24      28  32     56   64
+//                   x y z  radius  wx  v v v  w w
 //
+// The first half says whether two touch; most listed pairs do not, and their second half stays unread.
 // Two copies exist, now and next: tiles read now (their own and their halo's) and write next.
 #pragma once
 
@@ -20,9 +21,10 @@ namespace quern {
 template <class Real>
 struct alignas(16) Record {
   double x, y, z;     // m
-  double vx, vy, vz;  // m/s, at the half step before
-  Real wx, wy, wz;    // rad/s, at the half step before
   Real radius;        // m
+  Real wx;            // rad/s, spin at the half step before
+  double vx, vy, vz;  // m/s, at the half step before
+  Real wy, wz;        // rad/s
 };
 static_assert(sizeof(Record<float>) == 64);
 static_assert(sizeof(Record<double>) == 80);

@@ -88,98 +88,151 @@ struct ResponseV {
   V reduction;  // kn' / kn
 };
 
+// What a law leaves out where a scene has none of it: a contact pays for what it models.
+struct RollingLaw {
+  static constexpr bool kDamped = true, kRolling = true;
+};
+struct DampedLaw {  // tangential damping, no rolling friction
+  static constexpr bool kDamped = true, kRolling = false;
+};
+struct PlainLaw {
+  static constexpr bool kDamped = false, kRolling = false;
+};
+
 // Turns the tangential spring with the contact: the rotation that takes the old normal to the new
-// one (length kept), then by the partners' mean spin about the normal.
+// one (length kept), then by the partners' mean spin about the normal. `inverse` is 1 / (1 + n.n_old).
 template <class V>
-HWY_INLINE Vec3V<V> carry_spring(const Vec3V<V>& spring, const TouchV<V>& t, V dt) {
+HWY_INLINE Vec3V<V> carry_spring(const Vec3V<V>& spring, const TouchV<V>& t, V half_dt, V inverse) {
   const hn::DFromV<V> d;
-  const V one = hn::Set(d, 1);
-  const V half = hn::Set(d, hn::TFromV<V>(0.5));
   const Vec3V<V>& n = t.normal;
-  const V along = dot(spring, n);
-  // 1 + n.n_old is near 2; lanes without a contact may hold anything and must not divide by zero.
-  const V turn = hn::Neg(hn::Div(along, hn::Max(hn::Add(one, dot(n, t.normal_old)), half)));
-  const Vec3V<V> carried = add_scaled(spring, turn, n + t.normal_old);
-  const V angle = hn::Mul(hn::Mul(half, dt), dot(t.spin_i + t.spin_j, n));
-  const V shorten = hn::NegMulAdd(hn::Mul(half, angle), angle, one);
+  const V turn = hn::Mul(dot(spring, n), inverse);
+  const Vec3V<V> carried = add_scaled(spring, hn::Neg(turn), n + t.normal_old);
+  const V angle = hn::Mul(half_dt, dot(t.spin_i + t.spin_j, n));
+  const V shorten = hn::NegMulAdd(hn::Mul(hn::Set(d, hn::TFromV<V>(0.5)), angle), angle,
+                                  hn::Set(d, 1));
   return add_scaled(scale(shorten, carried), angle, cross(n, carried));
 }
 
+// Constants of a contact with what the step's length takes off them, see kernels/README.md.
+template <class V>
+struct ReducedV {
+  V kn, kt, cn, ct;  // kn', kt', c_n', c_t'
+  V reduction;       // kn' / kn
+  V turn;            // 1 / (1 + n.n_old), for the spring
+};
+
+// With s = sqrt(1/m_e) and h = dt/2, of the normal and likewise of the tangential direction,
+//   kn' = kn / (1 + h a s)      c_n' = a / (s + h a max(1/m_e, Z_i/m_i + Z_j/m_j))
+// which is the text's form multiplied by s. All quotients come from one division.
+template <bool kDamped, class Touch, class V>
+HWY_INLINE ReducedV<V> reduce(const CoefficientsV<V>& k, const Touch& t, V half_dt) {
+  constexpr bool kBodies = std::is_same_v<Touch, BodyTouchV<V>>;
+  using T = hn::TFromV<V>;
+  const hn::DFromV<V> d;
+  const V one = hn::Set(d, 1), half = hn::Set(d, T(0.5));
+  const V root = hn::Sqrt(t.inverse_mass), an = hn::Mul(half_dt, k.an);
+  const V pair_n = hn::MulAdd(an, root, one);
+  const V crowd_n = hn::MulAdd(an, hn::Max(t.inverse_mass, t.count_rate), root);
+  // 1 + n.n_old is near 2; lanes without a contact may hold anything and must not divide by zero.
+  const V turned = hn::Max(hn::Add(one, dot(t.normal, t.normal_old)), half);
+  const V normals = hn::Mul(pair_n, crowd_n);
+  ReducedV<V> r;
+  if constexpr (kDamped) {
+    // m_e / m_t of spheres is 7/2; a_t holds the root of its inverse.
+    const V ratio = hn::Set(d, T(3.5)), root_ratio = hn::Set(d, T(1.8708286933869707));
+    V inverse_t = hn::Mul(ratio, t.inverse_mass), root_t = hn::Mul(root_ratio, root);
+    V count_rate_t = hn::Mul(ratio, t.count_rate);
+    if constexpr (kBodies) {
+      inverse_t = t.tangential_inverse;
+      root_t = hn::Sqrt(inverse_t);
+      count_rate_t = t.tangential_count_rate;
+    }
+    const V at = hn::Mul(root_ratio, k.at), hat = hn::Mul(half_dt, at);
+    const V pair_t = hn::MulAdd(hat, root_t, one);
+    const V crowd_t = hn::MulAdd(hat, hn::Max(inverse_t, count_rate_t), root_t);
+    const V tangents = hn::Mul(pair_t, crowd_t), all = hn::Mul(normals, tangents);
+    const V inverse = hn::Div(one, hn::Mul(all, turned));
+    const V inverse_all = hn::Mul(inverse, turned);
+    const V inverse_n = hn::Mul(inverse_all, tangents), inverse_ts = hn::Mul(inverse_all, normals);
+    r.reduction = hn::Mul(inverse_n, crowd_n);
+    r.cn = hn::Mul(k.an, hn::Mul(inverse_n, pair_n));
+    r.kt = hn::Mul(k.kt, hn::Mul(inverse_ts, crowd_t));
+    r.ct = hn::Mul(at, hn::Mul(inverse_ts, pair_t));
+    r.turn = hn::Mul(inverse, all);
+  } else {
+    const V inverse = hn::Div(one, hn::Mul(normals, turned));
+    const V inverse_n = hn::Mul(inverse, turned);
+    r.reduction = hn::Mul(inverse_n, crowd_n);
+    r.cn = hn::Mul(k.an, hn::Mul(inverse_n, pair_n));
+    r.kt = k.kt;
+    r.ct = hn::Zero(d);
+    r.turn = hn::Mul(inverse, normals);
+  }
+  r.kn = hn::Mul(k.kn, r.reduction);
+  return r;
+}
+
 // Touch is TouchV for spheres (I = 2/5 m r^2 on both sides) and walls, BodyTouchV for other bodies.
-template <class Real, class Touch, class V = hn::Vec<Lanes<Real>>, class M = hn::Mask<Lanes<Real>>>
+template <class Real, class Law, class Touch, class V = hn::Vec<Lanes<Real>>,
+          class M = hn::Mask<Lanes<Real>>>
 HWY_INLINE ResponseV<V> respond(const StepConstants<Real>& step, const CoefficientsV<V>& k,
                                 const Touch& t, const HistoryV<V>& old, M touching) {
   constexpr bool kBodies = std::is_same_v<Touch, BodyTouchV<V>>;
   const Lanes<Real> d;
   const V zero = hn::Zero(d), one = hn::Set(d, 1), half = hn::Set(d, Real(0.5));
   const V dt = hn::Set(d, static_cast<Real>(step.dt));
-  const V half_dt = hn::Mul(half, dt);
+  const V half_dt = hn::Set(d, static_cast<Real>(0.5 * step.dt));
   const V tiny = hn::Set(d, Real(1e-15));
-  const V spheres = hn::Set(d, Real(3.5));  // m_e / m_t of spheres
-
-  // Rates of the dashpots and the effective constants.
-  const V root_mass = hn::Div(one, hn::Sqrt(t.inverse_mass));
-  const V cn = hn::Mul(k.an, root_mass);
-  const V rate_n = hn::Mul(half_dt, hn::Mul(cn, t.inverse_mass));
-  const V crowd = hn::Max(one, hn::Mul(t.count_rate, hn::Mul(root_mass, root_mass)));
-  V ct = hn::Mul(k.at, root_mass), inverse_mt = hn::Mul(t.inverse_mass, spheres), crowd_of_t = crowd;
-  if constexpr (kBodies) {
-    inverse_mt = t.tangential_inverse;
-    const V mt = hn::Div(one, inverse_mt);
-    ct = hn::Mul(k.at, hn::Sqrt(hn::Mul(spheres, mt)));
-    crowd_of_t = hn::Max(one, hn::Mul(t.tangential_count_rate, mt));
-  }
-  const V rate_t = hn::Mul(half_dt, hn::Mul(ct, inverse_mt));
-  // Four quotients by one division: all divisors are of order one.
-  const V pair_n = hn::Add(one, rate_n), pair_t = hn::Add(one, rate_t);
-  const V crowd_n = hn::MulAdd(rate_n, crowd, one), crowd_t = hn::MulAdd(rate_t, crowd_of_t, one);
-  const V pairs = hn::Mul(pair_n, pair_t), crowds = hn::Mul(crowd_n, crowd_t);
-  const V inverse = hn::Div(one, hn::Mul(pairs, crowds));
-  const V inverse_pairs = hn::Mul(inverse, crowds), inverse_crowds = hn::Mul(inverse, pairs);
-  ResponseV<V> r;
-  r.reduction = hn::Mul(inverse_pairs, pair_t);
-  const V kn = hn::Mul(k.kn, r.reduction);
-  const V kt = hn::Mul(k.kt, hn::Mul(inverse_pairs, pair_n));
-  const V cn_bound = hn::Mul(cn, hn::Mul(inverse_crowds, crowd_t));
-  const V ct_bound = hn::Mul(ct, hn::Mul(inverse_crowds, crowd_n));
-
+  const ReducedV<V> c = reduce<Law::kDamped>(k, t, half_dt);
   const Vec3V<V>& n = t.normal;
   const V vn = t.normal_velocity;
-  const Vec3V<V> vt = add_scaled(t.at_point, hn::Neg(dot(n, t.at_point)), n);
+  ResponseV<V> r;
+  r.reduction = c.reduction;
 
-  // Normal force.
+  // Normal force. w v_n of a first touch is v_n/2 - overlap/dt.
   const V closing = hn::Neg(hn::Mul(vn, dt));
-  const M fresh = hn::And(touching, hn::And(hn::Lt(vn, zero), hn::Lt(t.overlap, closing)));
-  V weight = one;
+  const M fresh = hn::And(touching, hn::Lt(t.overlap, closing));
+  V damped_velocity = vn;
   if (step.clamped) {
-    weight = hn::IfThenElse(fresh, hn::Add(half, hn::Div(t.overlap, hn::Max(closing, tiny))), one);
+    const V rate = hn::Set(d, static_cast<Real>(1 / step.dt));
+    damped_velocity =
+        hn::IfThenElse(fresh, hn::NegMulAdd(rate, t.overlap, hn::Mul(half, vn)), vn);
   }
-  V spring_n = hn::Mul(kn, t.overlap);
-  if constexpr (kBodies) spring_n = hn::Mul(r.reduction, t.elastic_force);
-  V fn = hn::NegMulAdd(hn::Mul(weight, cn_bound), vn, spring_n);
+  V spring_n = hn::Mul(c.kn, t.overlap);
+  if constexpr (kBodies) spring_n = hn::Mul(c.reduction, t.elastic_force);
+  V fn = hn::NegMulAdd(c.cn, damped_velocity, spring_n);
   if (step.clamped) fn = hn::Max(zero, fn);
   fn = hn::IfThenElseZero(touching, fn);
 
   // Tangential force: trial, then Coulomb's cap on spring and dashpot together.
-  const Vec3V<V> spring_old = keep_if(touching, carry_spring(old.spring, t, dt));
+  const Vec3V<V> vt = add_scaled(t.at_point, hn::Neg(dot(n, t.at_point)), n);
+  const Vec3V<V> spring_old = keep_if(touching, carry_spring(old.spring, t, half_dt, c.turn));
   const Vec3V<V> spring_trial = add_scaled(spring_old, hn::IfThenElseZero(touching, dt), vt);
-  const V ct_here = hn::IfThenElseZero(touching, ct_bound);
-  const Vec3V<V> trial = scale(hn::Neg(kt), spring_trial) + scale(hn::Neg(ct_here), vt);
   const V cap = hn::Mul(k.mu, hn::Abs(fn));
-  const V trial_size = hn::Sqrt(dot(trial, trial));
-  const M slides = hn::Gt(trial_size, cap);
-  const V spring_force = hn::Mul(kt, hn::Sqrt(dot(spring_trial, spring_trial)));
-  const V size_a = hn::Max(trial_size, tiny), size_b = hn::Max(spring_force, tiny);
-  const V cap_over_both = hn::Div(cap, hn::Mul(size_a, size_b));
-  const V cut = hn::IfThenElse(slides, hn::Mul(cap_over_both, size_b), one);
-  const V spring_cut = hn::IfThenElse(hn::And(slides, hn::Gt(spring_force, cap)),
-                                      hn::Mul(cap_over_both, size_a), one);
-  r.tangential = scale(cut, trial);
-  r.spring = scale(spring_cut, spring_trial);
+  const V trial2 = dot(spring_trial, spring_trial);
+  const V spring_force = hn::Mul(c.kt, hn::Sqrt(trial2));
+  V spring_cut;
+  if constexpr (Law::kDamped) {
+    const V ct_here = hn::IfThenElseZero(touching, c.ct);
+    const Vec3V<V> trial = scale(hn::Neg(c.kt), spring_trial) + scale(hn::Neg(ct_here), vt);
+    const V trial_size = hn::Sqrt(dot(trial, trial));
+    const V size_a = hn::Max(trial_size, tiny), size_b = hn::Max(spring_force, tiny);
+    const V cap_over_both = hn::Div(cap, hn::Mul(size_a, size_b));
+    const M slides = hn::Gt(trial_size, cap);
+    r.tangential = scale(hn::IfThenElse(slides, hn::Mul(cap_over_both, size_b), one), trial);
+    spring_cut = hn::IfThenElse(hn::And(slides, hn::Gt(spring_force, cap)),
+                                hn::Mul(cap_over_both, size_a), one);
+    r.spring = scale(spring_cut, spring_trial);
+  } else {
+    spring_cut = hn::IfThenElse(hn::Gt(spring_force, cap),
+                                hn::Div(cap, hn::Max(spring_force, tiny)), one);
+    r.spring = scale(spring_cut, spring_trial);
+    r.tangential = scale(hn::Neg(c.kt), r.spring);
+  }
   r.force = add_scaled(r.tangential, fn, n);
   r.moment = {zero, zero, zero};
   const Vec3V<V> spin = t.spin_i - t.spin_j;
-  if (step.rolling) {
+  if (Law::kRolling && step.rolling) {
     const Vec3V<V> roll = add_scaled(spin, hn::Neg(dot(spin, n)), n);
     const V size = hn::Sqrt(dot(roll, roll));
     const V most = hn::Mul(hn::Mul(k.mur, t.rolling_radius), fn);
@@ -189,35 +242,34 @@ HWY_INLINE ResponseV<V> respond(const StepConstants<Real>& step, const Coefficie
   }
 
   // Ledger: exact work of old and new force over the step, see scheduler/README.md.
-  r.work =
-      hn::MulAdd(half_dt, dot(old.force, t.at_old), hn::Mul(half_dt, dot(r.force, t.at_point)));
-  if (step.rolling) {
+  r.work = hn::Mul(half_dt, hn::Add(dot(old.force, t.at_old), dot(r.force, t.at_point)));
+  if (Law::kRolling && step.rolling) {
     r.work = hn::MulAdd(half_dt, dot(old.moment + r.moment, spin), r.work);
   }
-  V pressed = hn::Mul(hn::Mul(kn, half), hn::Mul(t.overlap, t.overlap));
-  if constexpr (kBodies) pressed = hn::Mul(r.reduction, t.stored);
-  const V stored = hn::MulAdd(hn::Mul(kt, half), dot(r.spring, r.spring), pressed);
-  r.elastic = hn::IfThenElseZero(touching, stored);
-  // A lost contact gives its whole spring to sliding: trial = old spring, kept = 0.
-  const Vec3V<V> given = spring_trial - r.spring;
+  V pressed = hn::Mul(c.kn, hn::Mul(t.overlap, t.overlap));
+  if constexpr (kBodies) pressed = hn::Mul(c.reduction, hn::Add(t.stored, t.stored));
+  const V half_kt = hn::Mul(half, c.kt);
+  const V kept2 = hn::Mul(hn::Mul(spring_cut, spring_cut), trial2);
+  r.elastic = hn::IfThenElseZero(touching, hn::MulAdd(half_kt, kept2, hn::Mul(half, pressed)));
+  // 1/2 kt' (xi_old + xi) . (xi_t - xi) with xi = cut xi_t. A lost contact gives its whole spring to
+  // sliding: trial = old spring, kept = 0.
+  const V given = hn::Mul(hn::Sub(one, spring_cut),
+                          hn::MulAdd(spring_cut, trial2, dot(spring_old, spring_trial)));
   const V lost_spring = hn::IfThenZeroElse(touching, dot(old.spring, old.spring));
-  r.slide = hn::Mul(hn::Mul(half, kt),
-                    hn::Add(dot(spring_old + r.spring, given), lost_spring));
+  r.slide = hn::Mul(half_kt, hn::Add(given, lost_spring));
   const V fn_old = dot(old.force, t.normal_old);
   r.tangential_damping = zero;
-  if (step.damped) {
-    const Vec3V<V> dashpot_old =
-        add_scaled(add_scaled(old.force, hn::Neg(fn_old), t.normal_old), kt, old.spring);
-    const Vec3V<V> dashpot = add_scaled(r.tangential, kt, r.spring);
-    r.tangential_damping =
-        hn::Neg(hn::Mul(half_dt, dot(dashpot_old + keep_if(touching, dashpot), vt)));
+  if (Law::kDamped && step.damped) {
+    // -dt/2 (dashpot_old + dashpot) . v_t, a dashpot being the tangential force + kt' xi.
+    const Vec3V<V> sum = add_scaled(old.force + r.tangential, c.kt, old.spring + r.spring);
+    const V both = hn::NegMulAdd(fn_old, dot(t.normal_old, vt), dot(sum, vt));
+    r.tangential_damping = hn::Neg(hn::Mul(half_dt, both));
   }
-  const V entry = hn::Neg(hn::Mul(hn::Mul(half, hn::Mul(kn, t.overlap)),
-                                  hn::MulAdd(dt, vn, t.overlap)));
+  // At first touch -1/2 kn' d (d + dt v_n), at loss of contact 1/2 kn' d_old (d_old - dt v_n).
   const M lost = hn::And(hn::Not(touching), hn::Gt(fn_old, zero));
-  const V exit = hn::Mul(hn::Mul(half, hn::Mul(kn, t.overlap_old)),
-                         hn::NegMulAdd(dt, vn, t.overlap_old));
-  r.numerical_loss = hn::Add(hn::IfThenElseZero(fresh, entry), hn::IfThenElseZero(lost, exit));
+  const V changed = hn::IfThenElse(fresh, t.overlap, hn::IfThenElseZero(lost, t.overlap_old));
+  const V short_of = hn::IfThenElse(fresh, hn::Sub(closing, t.overlap), hn::Add(closing, t.overlap_old));
+  r.numerical_loss = hn::Mul(hn::Mul(half, c.kn), hn::Mul(changed, short_of));
   return r;
 }
 

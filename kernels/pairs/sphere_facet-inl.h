@@ -65,7 +65,7 @@ void sphere_facet(const StepConstants<double>& step, const ParticleView<Real>& p
     }
     const auto row = hn::Add(hn::Mul(material, hn::Set(D64I(), step.law.materials)), wall_material);
     const ResponseV<V> r =
-        respond<double>(step, load_coefficients<double>(step.law, row), t, old, touching);
+        respond<double, RollingLaw>(step, load_coefficients<double>(step.law, row), t, old, touching);
     const V half_dt = hn::Set(d, 0.5 * step.dt);
     const V pushed = hn::Add(dot(old.force, wall_velocity_old), dot(r.force, wall_velocity));
     const V turned = step.rolling ? dot(old.moment + r.moment, t.spin_j) : zero;

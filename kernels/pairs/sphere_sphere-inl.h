@@ -23,44 +23,33 @@ HWY_INLINE hn::Vec<D64> nearest_image(hn::Vec<D64> dx, double period, double inv
   return hn::NegMulAdd(turns, hn::Set(d, period), dx);
 }
 
-// Geometry of a vector of pairs, i from j: what needs more than f32, rounded after the difference.
+// Where i is from j, f64. An image is nearer only where some pair lies further apart than half a period:
+// next to never, so that lanes are asked together.
+template <class Real>
+HWY_INLINE Vec3V<hn::Vec<D64>> apart(const StepConstants<Real>& step, const PlaceV<Real>& i,
+                                     const PlaceV<Real>& j, hn::Vec<D64>& d2) {
+  const D64 d;
+  Vec3V<hn::Vec<D64>> dx = i.place - j.place;
+  d2 = dot(dx, dx);
+  if (HWY_LIKELY(hn::AllFalse(d, hn::Gt(d2, hn::Set(d, step.nearest2))))) return dx;
+  if (step.period[0] > 0) dx.x = nearest_image(dx.x, step.period[0], step.inverse_period[0]);
+  if (step.period[1] > 0) dx.y = nearest_image(dx.y, step.period[1], step.inverse_period[1]);
+  if (step.period[2] > 0) dx.z = nearest_image(dx.z, step.period[2], step.inverse_period[2]);
+  d2 = dot(dx, dx);
+  return dx;
+}
+template <class Real, std::size_t half, class V>
+HWY_INLINE auto gap2_of(hn::Vec<D64> radius_i, V radius_j, hn::Vec<D64> d2) {
+  const auto reach = hn::Add(radius_i, half_f64<Real, half>(radius_j));
+  return to_real<Real>(hn::MulSub(reach, reach, d2));
+}
+
+// A full vector of pairs, i from j, rounded after the differences.
 template <class V>
 struct SeparationV {
   Vec3V<V> place, velocity;
   V d2, gap2;  // d^2, R^2 - d^2
 };
-
-// Of one f64 vector of pairs; the square of the distance stays f64.
-template <class Real>
-struct HalfSeparationV {
-  Vec3V<hn::Vec<HalfLanes<Real>>> place, velocity;
-  hn::Vec<D64> d2;
-};
-template <class Real>
-HWY_INLINE HalfSeparationV<Real> separate(const StepConstants<Real>& step,
-                                          const HalfPartnersV<Real>& a,
-                                          const HalfPartnersV<Real>& b) {
-  Vec3V<hn::Vec<D64>> dx = a.place - b.place;
-  if (step.period[0] > 0) dx.x = nearest_image(dx.x, step.period[0], step.inverse_period[0]);
-  if (step.period[1] > 0) dx.y = nearest_image(dx.y, step.period[1], step.inverse_period[1]);
-  if (step.period[2] > 0) dx.z = nearest_image(dx.z, step.period[2], step.inverse_period[2]);
-  return {to_real<Real>(dx), to_real<Real>(a.velocity - b.velocity), dot(dx, dx)};
-}
-template <class Real, std::size_t half, class V>
-HWY_INLINE auto gap2_of(V radius_i, V radius_j, hn::Vec<D64> d2) {
-  const auto reach = hn::Add(half_f64<Real, half>(radius_i), half_f64<Real, half>(radius_j));
-  return to_real<Real>(hn::MulSub(reach, reach, d2));
-}
-template <class Real, class V>
-HWY_INLINE SeparationV<V> join_separations(const HalfSeparationV<Real>& low,
-                                           const HalfSeparationV<Real>& high, V radius_i,
-                                           V radius_j) {
-  constexpr std::size_t kHigh = kHalves<Real> - 1;
-  return {join<Real>(low.place, high.place), join<Real>(low.velocity, high.velocity),
-          join<Real>(to_real<Real>(low.d2), to_real<Real>(high.d2)),
-          join<Real>(gap2_of<Real, 0>(radius_i, radius_j, low.d2),
-                     gap2_of<Real, kHigh>(radius_i, radius_j, high.d2))};
-}
 
 // Unit vectors and overlaps (R^2 - d^2) / (R + d), now and a step ago, by two divisions. A step ago
 // the squares were smaller by dt v.(2 x - dt v): a small difference, right to a rounding of itself.
@@ -82,35 +71,37 @@ HWY_INLINE void set_geometry(const SeparationV<V>& s, V reach, V dt, TouchV<V>& 
 }
 
 // Both partners of a full vector of pairs as the law sees them.
-template <class Real, class V = hn::Vec<Lanes<Real>>>
-HWY_INLINE TouchV<V> touch_of(const StepConstants<Real>& step, const PartnersV<Real>& a,
-                              const PartnersV<Real>& b, const SeparationV<V>& s, V& arm_i,
+template <class Real, bool kRolling, class V = hn::Vec<Lanes<Real>>>
+HWY_INLINE TouchV<V> touch_of(const StepConstants<Real>& step, const BodyV<Real>& a, V radius_i,
+                              const BodyV<Real>& b, V radius_j, const SeparationV<V>& s, V& arm_i,
                               V& arm_j) {
   const Lanes<Real> d;
   TouchV<V> t;
-  const V reach = hn::Add(a.radius, b.radius);
+  const V reach = hn::Add(radius_i, radius_j);
   set_geometry(s, reach, hn::Set(d, static_cast<Real>(step.dt)), t);
   t.normal_velocity = dot(t.normal, s.velocity);
   t.spin_i = a.spin;
   t.spin_j = b.spin;
   const V half = hn::Set(d, Real(0.5));
-  arm_i = hn::NegMulAdd(half, t.overlap, a.radius);
-  arm_j = hn::NegMulAdd(half, t.overlap, b.radius);
-  const V arm_i_old = hn::NegMulAdd(half, t.overlap_old, a.radius);
-  const V arm_j_old = hn::NegMulAdd(half, t.overlap_old, b.radius);
+  arm_i = hn::NegMulAdd(half, t.overlap, radius_i);
+  arm_j = hn::NegMulAdd(half, t.overlap, radius_j);
   const Vec3V<V> rim = add_scaled(scale(arm_i, a.spin), arm_j, b.spin);
-  const Vec3V<V> rim_old = add_scaled(scale(arm_i_old, a.spin), arm_j_old, b.spin);
+  // Both arms were longer by half of what the overlap has grown.
+  const V grown = hn::Mul(half, hn::Sub(t.overlap, t.overlap_old));
+  const Vec3V<V> rim_old = add_scaled(rim, grown, a.spin + b.spin);
   t.at_point = s.velocity - cross(rim, t.normal);
   t.at_old = s.velocity - cross(rim_old, t.normal_old);
   t.inverse_mass = hn::Add(a.inverse_mass, b.inverse_mass);
   t.count_rate = hn::MulAdd(a.contacts, a.inverse_mass, hn::Mul(b.contacts, b.inverse_mass));
   t.contacts = hn::Add(a.contacts, b.contacts);
-  t.rolling_radius = t.inverse_inertia = hn::Zero(d);
-  if (!step.rolling) return t;
-  t.rolling_radius = hn::Div(hn::Mul(a.radius, b.radius), reach);
-  t.inverse_inertia = hn::Mul(hn::Set(d, Real(2.5)),
-                              hn::Add(hn::Div(a.inverse_mass, hn::Mul(a.radius, a.radius)),
-                                      hn::Div(b.inverse_mass, hn::Mul(b.radius, b.radius))));
+  if constexpr (kRolling) {
+    t.rolling_radius = hn::Div(hn::Mul(radius_i, radius_j), reach);
+    t.inverse_inertia = hn::Mul(hn::Set(d, Real(2.5)),
+                                hn::Add(hn::Div(a.inverse_mass, hn::Mul(radius_i, radius_i)),
+                                        hn::Div(b.inverse_mass, hn::Mul(radius_j, radius_j))));
+  } else {
+    t.rolling_radius = t.inverse_inertia = hn::Zero(d);
+  }
   return t;
 }
 
@@ -143,11 +134,14 @@ HWY_INLINE void add_to_partners(const Vec3V<V>& force, const Vec3V<V>& torque, V
   add_to_rows(c, rows, tile.rows);
 }
 
-// What one row of a block needs beside its partners.
+// What one row of a block needs beside its partners: the owners.
 template <class Real>
 struct BlockV {
-  HalfPartnersV<Real> low, high;
-  PartnersV<Real> owner;
+  PlaceV<Real> low, high;
+  MotionV<Real> low_motion, high_motion;
+  BodyV<Real> owner;
+  hn::Vec<Lanes<Real>> radius, inverse_radius;
+  hn::Vec<D64> low_radius, high_radius;
   hn::Vec<hn::RebindToSigned<Lanes<Real>>> index;
   OwnerSums<Real> sums;
   TallyV<hn::Vec<Lanes<Real>>> tally;
@@ -155,28 +149,27 @@ struct BlockV {
 
 // One row: the owners of a block with one partner each. Own rows give the partner its share and are
 // tallied; in imported rows the owner is j.
-template <class Real, bool kOwn>
+template <class Real, class Law, bool kOwn>
 HWY_INLINE void sphere_sphere_row(const StepConstants<Real>& step, const ParticleView<Real>& p,
                                   const Index* partner, Real* numbers, const TileRows& tile,
                                   BlockV<Real>& block) {
   const Lanes<Real> d;
   using V = hn::Vec<Lanes<Real>>;
   constexpr std::size_t kHalf = hn::MaxLanes(D64());
-  const V zero = hn::Zero(d);
-  using Half = HalfPartnersV<Real>;
-  const auto apart_from = [&](const Half& mine, const Half& theirs) HWY_ATTR {
-    return kOwn ? separate(step, mine, theirs) : separate(step, theirs, mine);
-  };
   constexpr std::size_t kHigh = kHalves<Real> - 1;
-  const Half low = load_half(p, partner);
-  const HalfSeparationV<Real> low_apart = apart_from(block.low, low);
-  const Half high = load_half(p, partner + kHigh * kHalf);
-  const HalfSeparationV<Real> high_apart = apart_from(block.high, high);
-  const PartnersV<Real> other = join_partners(low, high);
-  const PartnersV<Real>&a = kOwn ? block.owner : other, &b = kOwn ? other : block.owner;
-  const SeparationV<V> s = join_separations<Real>(low_apart, high_apart, a.radius, b.radius);
+  const V zero = hn::Zero(d);
+  hn::Vec<D64> low_d2, high_d2;
+  const PlaceV<Real> low = load_places(p, partner);
+  const auto low_place = to_real<Real>(kOwn ? apart(step, block.low, low, low_d2)
+                                            : apart(step, low, block.low, low_d2));
+  const PlaceV<Real> high = load_places(p, partner + kHigh * kHalf);
+  const auto high_place = to_real<Real>(kOwn ? apart(step, block.high, high, high_d2)
+                                             : apart(step, high, block.high, high_d2));
+  const V radius = join_radius(low, high);
+  SeparationV<V> s;
+  s.gap2 = join<Real>(gap2_of<Real, 0>(block.low_radius, radius, low_d2),
+                      gap2_of<Real, kHigh>(block.high_radius, radius, high_d2));
   HistoryV<V> old;
-  old.spring = load3<V>(numbers, kPairPad);
   old.force = load3<V>(numbers + 3 * kPairPad, kPairPad);
   const V any_force =
       hn::Add(hn::Abs(old.force.x), hn::Add(hn::Abs(old.force.y), hn::Abs(old.force.z)));
@@ -185,27 +178,45 @@ HWY_INLINE void sphere_sphere_row(const StepConstants<Real>& step, const Particl
   const auto touching = hn::And(distinct, hn::Gt(s.gap2, zero));
   if (hn::AllFalse(d, hn::Or(touching, hn::Gt(any_force, zero)))) return;
 
+  s.place = join<Real>(low_place, high_place);
+  s.d2 = join<Real>(to_real<Real>(low_d2), to_real<Real>(high_d2));
+  const MotionV<Real> low_motion = load_motions(p, partner);
+  const MotionV<Real> high_motion = load_motions(p, partner + kHigh * kHalf);
+  const auto relative = [&](const MotionV<Real>& mine, const MotionV<Real>& theirs) HWY_ATTR {
+    return to_real<Real>(kOwn ? mine.velocity - theirs.velocity : theirs.velocity - mine.velocity);
+  };
+  s.velocity = join<Real>(relative(block.low_motion, low_motion),
+                          relative(block.high_motion, high_motion));
+  const BodyV<Real> other = join_bodies(low, high, low_motion, high_motion);
+  const BodyV<Real>&a = kOwn ? block.owner : other, &b = kOwn ? other : block.owner;
   V arm_i, arm_j;
-  const TouchV<V> t = touch_of<Real>(step, a, b, s, arm_i, arm_j);
+  const TouchV<V> t =
+      kOwn ? touch_of<Real, Law::kRolling>(step, a, block.radius, b, radius, s, arm_i, arm_j)
+           : touch_of<Real, Law::kRolling>(step, a, radius, b, block.radius, s, arm_i, arm_j);
+  old.spring = load3<V>(numbers, kPairPad);
   old.moment = {zero, zero, zero};
-  if (step.rolling) old.moment = load3<V>(numbers + 6 * kPairPad, kPairPad);
+  if constexpr (Law::kRolling) old.moment = load3<V>(numbers + 6 * kPairPad, kPairPad);
   using Row = hn::RebindToSigned<Lanes<Real>>;
   const auto row = hn::Add(
       hn::Mul(a.material, hn::Set(Row(), static_cast<hn::TFromD<Row>>(step.law.materials))),
       b.material);
   const ResponseV<V> r =
-      respond<Real>(step, load_coefficients<Real>(step.law, row), t, old, touching);
+      respond<Real, Law>(step, load_coefficients<Real>(step.law, row), t, old, touching);
   store3(r.spring, numbers, kPairPad);
   store3(r.force, numbers + 3 * kPairPad, kPairPad);
-  if (step.rolling) store3(r.moment, numbers + 6 * kPairPad, kPairPad);
-  if constexpr (kOwn) count_response<Real>(r, touching, hn::Div(t.overlap, a.radius), block.tally);
+  if constexpr (Law::kRolling) store3(r.moment, numbers + 6 * kPairPad, kPairPad);
+  if constexpr (kOwn) {
+    count_response<Real>(r, touching, hn::Mul(t.overlap, block.inverse_radius), block.tally);
+  }
 
   const Vec3V<V> twist = cross(r.tangential, t.normal);  // = -n x F_t
-  const Vec3V<V> torque_j = scale(arm_j, twist) - r.moment;
+  Vec3V<V> torque_j = scale(arm_j, twist);
+  if constexpr (Law::kRolling) torque_j = torque_j - r.moment;
   const Vec3V<V> on_j = {hn::Neg(r.force.x), hn::Neg(r.force.y), hn::Neg(r.force.z)};
   const V one = hn::IfThenElseZero(touching, hn::Set(d, 1));
   if constexpr (kOwn) {
-    const Vec3V<V> torque_i = add_scaled(r.moment, arm_i, twist);
+    Vec3V<V> torque_i = scale(arm_i, twist);
+    if constexpr (Law::kRolling) torque_i = torque_i + r.moment;
     add_to_owner<Real, 0>(r.force, torque_i, one, block.sums);
     add_to_partners<Real, 0>(on_j, torque_j, one, partner, tile);
     if constexpr (kHalves<Real> == 2) {
@@ -248,12 +259,12 @@ HWY_INLINE void prefetch_next_block(const ParticleView<Real>& p, const PairView<
 }
 
 // Blocks of one part. Vectors narrower than a block take it in pieces.
-template <class Real, bool kOwn>
+template <class Real, class Law, bool kOwn>
 HWY_INLINE void sphere_sphere_blocks(const StepConstants<Real>& step, const ParticleView<Real>& p,
                                      const PairView<Real>& pairs, const TileRows& tile,
                                      ContactTally& tally) {
   constexpr std::size_t kLanes = hn::MaxLanes(Lanes<Real>()), kHalf = hn::MaxLanes(D64());
-  const std::size_t width = (step.rolling ? kRollingHistory : kHistory) * kPairPad;
+  constexpr std::size_t width = (Law::kRolling ? kRollingHistory : kHistory) * kPairPad;
   const std::size_t first = kOwn ? 0 : pairs.own, last = kOwn ? pairs.own : pairs.all;
   const std::size_t end = pairs.row_begin[last];
   TallySumV sum = zero_tally_sum();
@@ -263,9 +274,16 @@ HWY_INLINE void sphere_sphere_blocks(const StepConstants<Real>& step, const Part
       BlockV<Real> block;
       block.index = load_index<Real>(owner);
       block.tally = zero_tally<Real>();
-      block.low = load_half(p, owner);
-      block.high = load_half(p, owner + (kHalves<Real> - 1) * kHalf);
-      block.owner = join_partners(block.low, block.high);
+      const Index* high = owner + (kHalves<Real> - 1) * kHalf;
+      block.low = load_places(p, owner);
+      block.high = load_places(p, high);
+      block.low_motion = load_motions(p, owner);
+      block.high_motion = load_motions(p, high);
+      block.owner = join_bodies(block.low, block.high, block.low_motion, block.high_motion);
+      block.radius = join_radius(block.low, block.high);
+      block.low_radius = half_f64<Real, 0>(block.radius);
+      block.high_radius = half_f64<Real, kHalves<Real> - 1>(block.radius);
+      block.inverse_radius = hn::Div(hn::Set(Lanes<Real>(), 1), block.radius);
       for (auto& half : block.sums.sum) {
         for (auto& v : half) v = hn::Zero(D64());
       }
@@ -276,7 +294,7 @@ HWY_INLINE void sphere_sphere_blocks(const StepConstants<Real>& step, const Part
         if (row + kRowsAhead < end) {
           prefetch_row(p, partner + kRowsAhead * kPairPad, numbers + kRowsAhead * width, width);
         }
-        sphere_sphere_row<Real, kOwn>(step, p, partner, numbers, tile, block);
+        sphere_sphere_row<Real, Law, kOwn>(step, p, partner, numbers, tile, block);
       }
       for (std::size_t h = 0; h < kHalves<Real>; ++h) {
         const auto& s = block.sums.sum[h];
@@ -291,11 +309,23 @@ HWY_INLINE void sphere_sphere_blocks(const StepConstants<Real>& step, const Part
   if constexpr (kOwn) add_tally(sum, tally);
 }
 
+template <class Real, class Law>
+void sphere_sphere_parts(const StepConstants<Real>& step, const ParticleView<Real>& p,
+                         const PairView<Real>& pairs, const TileRows& tile, ContactTally& tally) {
+  sphere_sphere_blocks<Real, Law, true>(step, p, pairs, tile, tally);
+  sphere_sphere_blocks<Real, Law, false>(step, p, pairs, tile, tally);
+}
+
 template <class Real>
 void sphere_sphere(const StepConstants<Real>& step, const ParticleView<Real>& p,
                    const PairView<Real>& pairs, const TileRows& tile, ContactTally& tally) {
-  sphere_sphere_blocks<Real, true>(step, p, pairs, tile, tally);
-  sphere_sphere_blocks<Real, false>(step, p, pairs, tile, tally);
+  if (step.rolling) {
+    sphere_sphere_parts<Real, RollingLaw>(step, p, pairs, tile, tally);
+  } else if (step.damped) {
+    sphere_sphere_parts<Real, DampedLaw>(step, p, pairs, tile, tally);
+  } else {
+    sphere_sphere_parts<Real, PlainLaw>(step, p, pairs, tile, tally);
+  }
 }
 
 }  // namespace HWY_NAMESPACE

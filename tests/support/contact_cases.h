@@ -46,13 +46,13 @@ Record<Real> record_of(const Vec3& x, const Vec3& v, const Vec3& w, double radiu
   return {x.x(),
           x.y(),
           x.z(),
+          static_cast<Real>(radius),
+          static_cast<Real>(w.x()),
           v.x(),
           v.y(),
           v.z(),
-          static_cast<Real>(w.x()),
           static_cast<Real>(w.y()),
-          static_cast<Real>(w.z()),
-          static_cast<Real>(radius)};
+          static_cast<Real>(w.z())};
 }
 
 struct CaseOptions {
@@ -221,9 +221,9 @@ struct PairCases {
     if (state == TouchState::kFresh) approach = overlap / kCaseStep * random(1.01, 4);
     const Vec3 dv = random.in_cube(0.5) - approach * normal;
     const Vec3 x = random.in_cube(4), v = random.in_cube(5);
-    b = {x.x(), x.y(), x.z(), v.x(), v.y(), v.z(), b.wx, b.wy, b.wz, b.radius};
-    a = {x.x() + dx.x(), x.y() + dx.y(), x.z() + dx.z(), v.x() + dv.x(), v.y() + dv.y(),
-         v.z() + dv.z(), a.wx,           a.wy,           a.wz,           a.radius};
+    b = {x.x(), x.y(), x.z(), b.radius, b.wx, v.x(), v.y(), v.z(), b.wy, b.wz};
+    a = {x.x() + dx.x(), x.y() + dx.y(), x.z() + dx.z(), a.radius, a.wx,
+         v.x() + dv.x(), v.y() + dv.y(), v.z() + dv.z(), a.wy,     a.wz};
     if (o.periodic && random.below(2) == 0) a.z += 0.5 * (random.below(2) == 0 ? 1 : -2);
     make_history(k, o, law, state, material, overlap, (dx - kCaseStep * dv).normalized(), random);
   }
