@@ -64,9 +64,11 @@ class Peer:
     """program: lammps or liggghts; the deck is NAME.PROGRAM of this folder."""
 
     BINARY = {"lammps": "lmp", "liggghts": "liggghts"}
+    READ = {"lammps": "ke c_turning v_contacts", "liggghts": "ke c_turning v_contacts f_torque"}
 
     def __init__(self, program, name, state, ranks, steps):
-        self.ranks, self.said = ranks, []
+        self.ranks = ranks
+        self.read = self.READ[program]
         # stdbuf: rows are to come when they are written.
         command = ["stdbuf", "-oL", self.BINARY[program], "-log", "none", "-var", "work",
                    os.path.abspath(state.work), "-var", "steps", str(steps)]
@@ -114,17 +116,25 @@ class Peer:
                              if line.startswith("VmHWM"))
         return total
 
-    def go(self, steps):
-        self.pause(signal.SIGCONT)
+    def timed(self, steps, columns):
+        """Particle steps a second, and the columns at the end."""
+        self.send(f"thermo_style custom {columns}")
+        self.send("thermo_modify norm no")
         self.send(f"run {steps}")
         lines = self.read_until("Loop time of")
         loop = re.search(r"Loop time of (\S+) .* with (\d+) atoms", lines[-1])
-        seconds, particles = float(loop[1]), int(loop[2])
-        _, kinetic, turning, contacts, *torque = map(float, lines[-2].split())
+        return (int(loop[2]) * steps / float(loop[1]) if steps else 0, int(loop[2]),
+                [float(word) for word in lines[-2].split()])
+
+    def go(self, steps):
+        self.pause(signal.SIGCONT)
+        speed, particles, _ = self.timed(steps, "step")
+        # Contacts cost a pass over all pairs: read when the time is taken.
+        _, _, (kinetic, turning, contacts, *torque) = self.timed(0, self.read)
         memory = self.memory() / particles
         self.pause(signal.SIGSTOP)
-        return Result(particles * steps / seconds, contacts, kinetic + turning,
-                      torque[0] if torque else math.nan, memory)
+        return Result(speed, contacts, kinetic + turning, torque[0] if torque else math.nan,
+                      memory)
 
     def end(self):
         self.pause(signal.SIGCONT)
