@@ -17,6 +17,7 @@ import argparse
 import json
 import math
 import os
+import signal
 import statistics
 import subprocess
 import sys
@@ -249,6 +250,7 @@ def main():
     options.repeats = options.repeats or (2 if options.small else 5)
     options.threads = [int(t) for t in options.threads.split(",")]
     options.work = os.path.abspath(options.work)
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit("error: stopped"))  # no peer stays behind
     if scene_speed.triad(options.program, 1) is None:
         sys.exit(f"error: no quern_triad beside {options.program}; ./dev bench builds it")
     lines = []
