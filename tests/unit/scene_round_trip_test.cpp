@@ -230,7 +230,8 @@ constexpr const char* kShipped[] = {"bounce",
                                     "sag_slice_small_sp",
                                     "sag_slice_ph",
                                     "sag_slice_small_ph",
-                                    "bed"};
+                                    "bed",
+                                    "mix_bed"};
 INSTANTIATE_TEST_SUITE_P(SceneReader, ShippedScene, testing::ValuesIn(kShipped),
                          [](const auto& row) { return std::string(row.param); });
 
