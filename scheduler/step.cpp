@@ -52,6 +52,7 @@ void Stepper<Real>::prepare() {
   wall_constants_.law = table_of<double>(world_.wall_law, world_.materials);
   tile_totals_.resize(world_.tiles());
   tile_walls_.resize(world_.tiles() * world_.walls.size());
+  known_touches_.resize(world_.tiles());
   world_.wall_totals.resize(world_.walls.size());
 }
 
@@ -72,8 +73,12 @@ void Stepper<Real>::run_walls(std::size_t tile, Worker& worker, const TileRows& 
   const std::span<WallTotal> totals(tile_walls_.data() + tile * world_.walls.size(),
                                     world_.walls.size());
   std::fill(totals.begin(), totals.end(), WallTotal());
-  if (walls.candidates.particle.empty() && walls.springs.empty()) return;
-  collect_wall_contacts(world_, tile, worker.lanes);
+  const std::size_t entries = walls.candidates.particle.size();
+  std::vector<KnownTouch>& known = known_touches_[tile];
+  const bool fresh_lists = world_.clock.list_step == world_.clock.total_steps;
+  if (fresh_lists || known.size() != entries) known.assign(entries, KnownTouch());
+  if (entries == 0 && walls.springs.empty()) return;
+  collect_wall_contacts(world_, tile, known, worker.lanes);
   if (worker.lanes.size() == 0) return;
   const WallContacts contacts = worker.lanes.view(rows.first);
   const Particles<Real>& p = world_.particles;

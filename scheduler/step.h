@@ -64,6 +64,7 @@ class Stepper {
   std::vector<Worker> workers_;
   std::vector<TileTotals> tile_totals_;
   std::vector<WallTotal> tile_walls_;  // tiles x walls
+  std::vector<std::vector<KnownTouch>> known_touches_;  // of each tile's candidates for walls
   std::optional<BodyStepper<Real>> bodies_;
   StageTimes times_;
 };

@@ -2,6 +2,7 @@
 
 #include "kernels/candidates.h"
 #include "kernels/polyhedron_contacts.h"
+#include "kernels/wall_contacts.h"
 #include "scheduler/graph.h"
 
 namespace quern {
@@ -64,7 +65,8 @@ void count_spheres(const World<Real>& world, StepCost& cost) {
     const WallCandidates& c = walls.candidates;
     listed(Stage::kSphereWalls) += static_cast<double>(c.facet.size());
     bytes(Stage::kSphereWalls) += bytes_of(c.particle) + bytes_of(c.body) + bytes_of(c.first) +
-                                  bytes_of(c.facet) + kBoth * bytes_of(walls.springs);
+                                  bytes_of(c.facet) + kBoth * bytes_of(walls.springs) +
+                                  static_cast<double>(c.particle.size() * sizeof(KnownTouch));
   }
   const SlotCount slots = count_slots(pairs);
   for (const Index count : p.pair_count) listed(Stage::kSpherePairs) += count;

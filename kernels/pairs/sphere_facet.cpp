@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "soa/facet_closest.h"
 
@@ -17,6 +18,7 @@ namespace {
 constexpr int kMaxReports = 192;
 constexpr double kSamePlace = 1e-6;  // of the radius
 constexpr double kStraightThrough = -0.999;
+constexpr double kOfWay = 0.999;      // the rest is for rounding
 constexpr double kOnTheWall = 1e-12;  // of the radius: below, the facet's normal is taken
 
 struct Report {
@@ -179,19 +181,34 @@ WallTouch touch_of(const Reports& reports, const Report& report, const Vec3& cen
   return touch;
 }
 
+// From the foot of the point on the facet to the nearest edge; the foot lies within.
+double way_to_edges(const FacetRecord& facet, const Vec3& x) noexcept {
+  double way = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 edge = facet.corner[(k + 1) % 3] - facet.corner[k];
+    way = std::min(way, facet.normal.dot(edge.cross(x - facet.corner[k])) / edge.norm());
+  }
+  return way;
+}
+
 }  // namespace
 
 int sphere_facet_touches(const Facets& facets, const Vec3& center, double radius,
                          std::span<const Index> candidates, WallTouch* out, int capacity) noexcept {
   Reports reports(facets, radius);
   collect(reports, center, candidates);
+  if (reports.count == 0 || capacity <= 0) return 0;
+  if (reports.count == 1) {
+    out[0] = touch_of(reports, reports.list[0], center);
+    return 1;
+  }
   const Report* kept[kMaxReports];
   int count = choose(reports, kept);
   if (count > capacity) {
     std::sort(kept, kept + count, [](const Report* a, const Report* b) {
       return a->distance2 != b->distance2 ? a->distance2 < b->distance2 : nearer(*a, *b);
     });
-    count = std::max(capacity, 0);
+    count = capacity;
   }
   std::sort(kept, kept + count, [](const Report* a, const Report* b) {
     if (a->facet->wall != b->facet->wall) return a->facet->wall < b->facet->wall;
@@ -199,6 +216,35 @@ int sphere_facet_touches(const Facets& facets, const Vec3& center, double radius
   });
   for (int i = 0; i < count; ++i) out[i] = touch_of(reports, *kept[i], center);
   return count;
+}
+
+FacetFreedom facet_freedom(const Facets& facets, const Vec3& center, double radius,
+                           std::span<const Index> candidates) noexcept {
+  FacetFreedom out = {std::numeric_limits<double>::infinity(), kNoIndex};
+  Index group = kNoIndex;
+  for (const Index t : candidates) {
+    const FacetRecord& facet = facets.record[t];
+    const double height = facet.normal.dot(center - facet.corner[0]);
+    if (std::abs(height) >= radius) {
+      out.way = std::min(out.way, std::abs(height) - radius);
+      continue;
+    }
+    const ClosestPoint p = closest_on_facet(facet, center);
+    if (p.region == 0) {
+      if (!(height > 0) || out.facet != kNoIndex) return {0, kNoIndex};
+      out = {std::min(out.way, way_to_edges(facet, center)), t};
+      group = facet.group;
+    }
+  }
+  for (const Index t : candidates) {
+    const FacetRecord& facet = facets.record[t];
+    // Of a plane of several facets the one that holds the foot is the nearest.
+    if (facet.group == group) continue;
+    if (std::abs(facet.normal.dot(center - facet.corner[0])) >= radius) continue;
+    out.way = std::min(out.way, std::sqrt(closest_on_facet(facet, center).distance2) - radius);
+  }
+  out.way = std::max(0.0, kOfWay * (out.way - kSamePlace * radius));
+  return out;
 }
 
 void keep_side(WallTouch& touch, const Vec3& stored_normal, double radius) noexcept {

@@ -35,6 +35,15 @@ inline constexpr int kMaxWallTouches = 32;
 int sphere_facet_touches(const Facets& facets, const Vec3& center, double radius,
                          std::span<const Index> candidates, WallTouch* out, int capacity) noexcept;
 
+// How far the centre may move while sphere_facet_touches() surely reports nothing (facet: kNoIndex),
+// or nothing but a touch of the face of `facet`, with the centre in front.
+struct FacetFreedom {
+  double way;  // m; 0: unknown
+  Index facet;
+};
+FacetFreedom facet_freedom(const Facets& facets, const Vec3& center, double radius,
+                           std::span<const Index> candidates) noexcept;
+
 // Keeps the side by history. `stored_normal` (body frame) is the normal the same contact had a step
 // ago: if the centre has crossed the wall since, the normal stays and the overlap is the radius
 // plus the distance, so that the sphere is pushed back out where it came in. Straight through a
