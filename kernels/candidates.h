@@ -10,7 +10,9 @@
 // exactly once, by its owner. Copies of particles near a periodic face stand in for their images.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "soa/column.h"
@@ -34,8 +36,8 @@ struct CellBlock {
   }
 };
 
-// One level: entries sorted by cell, cells x-fastest. Positions are f32 relative to `low`: used for
-// a conservative reject only.
+// One level: entries sorted by cell, cells x-fastest. Positions are those in the middle of the
+// window, f32 relative to `low`: used for a conservative reject only.
 struct GridLevel {
   double cell = 0;          // m
   double inverse_cell = 0;  // 1/m
@@ -44,13 +46,21 @@ struct GridLevel {
   std::array<int, 3> count{};
   Column<Index> begin;                      // cells + 1
   Column<Index> particle;                   // index in the current order
-  Column<float> x, y, z, reach_of, radius;  // reach of each entry: radius + half path
+  Column<float> x, y, z, vx, vy, vz;
+  Column<float> reach_of, radius;  // reach of each entry: radius + half path
 
   std::size_t row(int y_cell, int z_cell) const {
     return (static_cast<std::size_t>(z_cell) * static_cast<std::size_t>(count[1]) +
             static_cast<std::size_t>(y_cell)) *
            static_cast<std::size_t>(count[0]);
   }
+};
+
+// One of those that search: its place in the middle of the window, its velocity, radius, and radius
+// plus half path.
+struct Searcher {
+  std::array<float, 3> x, v;
+  float radius, reach;
 };
 
 // Around the middles of searchers, relative to the low corner of a level, m.
@@ -60,15 +70,24 @@ struct MiddleBox {
 
 // Entries of some cells, one after the other.
 struct NearEntries {
-  std::vector<float> x, y, z, reach, radius;
+  std::vector<float> x, y, z, vx, vy, vz, reach, radius;
   std::vector<Index> particle;
   std::size_t count = 0;
+};
+
+// A point or one of its images on the way to its cell.
+struct StagedEntry {
+  Index point, cell;
+  std::uint32_t image;
 };
 
 struct SearchGrid {
   std::vector<GridLevel> levels;
   double smallest_radius = 0;
   double margin = 0;  // m, rounding of the f32 positions
+  // Working memory of build_grid().
+  Column<StagedEntry> staged;
+  std::vector<Index> begin;
 };
 
 // What the search looks at of a random partner, in one cache line.
@@ -94,14 +113,32 @@ inline double nearest_image(double dx, double period) {
   return dx < -0.5 * period ? dx + period : dx;
 }
 
+inline double reach_of(const SearchPoint& p) { return p.radius + static_cast<double>(p.half_path); }
+
+inline constexpr std::size_t kMaxLevels = 16;
+
+inline std::size_t level_of(double radius, double smallest) {
+  std::size_t level = 0;
+  for (double end = 2 * smallest; radius >= end && level < kMaxLevels - 1; end *= 2) ++level;
+  return level;
+}
+
+inline int cell_along(const GridLevel& level, std::size_t axis, double offset) {
+  const double last = level.count[axis] - 1;
+  return static_cast<int>(std::clamp(offset * level.inverse_cell, 0.0, last));
+}
+
 struct CandidatePair {
   Index i, j;
   float gap;    // m, the smallest on straight lines in the window, rounded down
   float speed;  // m/s, of one relative to the other
 };
 
+// Runs task(k) for k = 0 ... count - 1, in any order and on any number of threads.
+using RunTasks = std::function<void(std::size_t, const std::function<void(std::size_t)>&)>;
+
 // Builds the levels. May allocate.
-void build_grid(const SearchInput& in, SearchGrid& grid);
+void build_grid(const SearchInput& in, SearchGrid& grid, const RunTasks& run);
 
 // Appends the own pairs of particles first ... last-1, sorted by (i, j).
 void find_candidates(const SearchInput& in, const SearchGrid& grid, Index first, Index last,

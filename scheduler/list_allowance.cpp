@@ -30,11 +30,17 @@ void set_allowances(World<Real>& world, std::size_t tile, const TileMeetings& me
   const std::size_t n = p.size(), first = tile * world.tile_size;
   const std::size_t last = std::min<std::size_t>(n, first + world.tile_size);
   const auto raise = [&](std::size_t k, float to) { speed[k] = std::max(speed[k], to); };
+  // The most that a hit by the other one changes its velocity by.
+  const auto hit = [&](std::size_t k, std::size_t by, float meeting) {
+    const double own = static_cast<double>(p.traits[k].inverse_mass);
+    const double sum = own + static_cast<double>(p.traits[by].inverse_mass);
+    raise(k, static_cast<float>(2 * own / sum * static_cast<double>(meeting)));
+  };
   for (const CandidatePair& pair : meetings.own) {
-    raise(pair.i, pair.speed);
-    if (pair.j < last && pair.j >= first) raise(pair.j, pair.speed);
+    hit(pair.i, pair.j, pair.speed);
+    if (pair.j < last && pair.j >= first) hit(pair.j, pair.i, pair.speed);
   }
-  for (const CandidatePair& pair : meetings.imported) raise(pair.j, pair.speed);
+  for (const CandidatePair& pair : meetings.imported) hit(pair.j, pair.i, pair.speed);
   if (meetings.near != nullptr) {
     for (const NearSphere& near : *meetings.near) raise(near.sphere, near.speed);
   }

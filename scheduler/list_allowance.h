@@ -1,9 +1,10 @@
 // How far each sphere may leave its straight line before the lists are stale.
 //
-// A sphere leaves its line when it is hit, by at most about the speed of what can hit it: the
-// fastest of its neighbours, spheres, polyhedra and walls alike, relative to itself. One fast
-// sphere in a resting bed therefore gets wide lists for itself and its neighbours only; the others
-// need no more than a share of the slack, and their lists hold little beside their contacts.
+// A sphere leaves its line when it is hit, by at most about the speed that a hit of one of its
+// neighbours, spheres, polyhedra and walls alike, can give it: that relative to itself, twice as
+// much if the other one is far heavier, next to nothing if it is far lighter. One fast sphere in a
+// resting bed therefore gets wide lists for itself and its neighbours only; the others need no more
+// than a share of the slack, and their lists hold little beside their contacts.
 #pragma once
 
 #include <vector>

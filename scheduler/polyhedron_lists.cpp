@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "scheduler/list_allowance.h"
-#include "scheduler/rebuild.h"
+#include "scheduler/wall_lists.h"
 
 namespace quern {
 

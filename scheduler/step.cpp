@@ -294,6 +294,32 @@ StepReport Stepper<Real>::judge() const {
   return report;
 }
 
+// Whether the strays have new lines and the lists are complete; polyhedra have none to themselves.
+template <class Real>
+bool Stepper<Real>::relist_strays() {
+  if (bodies_) return false;
+  std::vector<std::size_t> tiles;
+  for (std::size_t tile = 0; tile < tile_totals_.size(); ++tile) {
+    if (tile_totals_[tile].move.strays > 0) tiles.push_back(tile);
+  }
+  return relister_.relist(world_, tiles);
+}
+
+template <class Real>
+void Stepper<Real>::judge_lists() {
+  Clock& clock = world_.clock;
+  const bool expired = clock.total_steps - clock.list_step > clock.list_window;
+  if (!expired && (world_.totals.strays == 0 || relist_strays())) return;
+  // None are there yet where all rain in.
+  const double particles =
+      std::max(1.0, static_cast<double>(world_.particles.size() + world_.polyhedra.size()));
+  const double slots =
+      static_cast<double>(world_.pairs.slots() + world_.polyhedra.spheres.sphere.size());
+  adapt_lists(clock, {expired, std::sqrt(world_.totals.max_deviation2), world_.smallest_radius,
+                      (slots - world_.totals.pair_contacts) / particles});
+  clock.list_stale = 1;
+}
+
 template <class Real>
 StepReport Stepper<Real>::step() {
   prepare();
@@ -303,6 +329,7 @@ StepReport Stepper<Real>::step() {
   if (rebuilds) {
     move_walls();
     rebuild(world_, graph_, rebuild_);
+    relister_.forget();
     times_.rebuild += watch.lap();
     ++times_.rebuilds;
   }
@@ -320,17 +347,7 @@ StepReport Stepper<Real>::step() {
   clock.warnings += report.warnings;
   world_.polyhedra.fallbacks.add(report.fallbacks);
   clock.first_kick = 0;
-  const bool expired = clock.total_steps - clock.list_step > clock.list_window;
-  if (expired || world_.totals.strays > 0) {
-    // None are there yet where all rain in.
-    const double particles = std::max(
-        1.0, static_cast<double>(world_.particles.size() + world_.polyhedra.size()));
-    const double slots =
-        static_cast<double>(world_.pairs.slots() + world_.polyhedra.spheres.sphere.size());
-    adapt_lists(clock, {expired, std::sqrt(world_.totals.max_deviation2), world_.smallest_radius,
-                        (slots - world_.totals.pair_contacts) / particles});
-    clock.list_stale = 1;
-  }
+  judge_lists();
   times_.totals += watch.lap();
   return report;
 }

@@ -15,6 +15,7 @@
 #include "scheduler/graph.h"
 #include "scheduler/polyhedron_step.h"
 #include "scheduler/rebuild.h"
+#include "scheduler/relist.h"
 #include "scheduler/stage_times.h"
 #include "soa/world.h"
 
@@ -54,11 +55,14 @@ class Stepper {
   void add_tiles();
   void account();
   StepReport judge() const;
+  bool relist_strays();
+  void judge_lists();
 
   World<Real>& world_;
   Graph graph_;
   Kernels<Real> kernels_;
   RebuildScratch<Real> rebuild_;
+  Relister<Real> relister_;
   StepConstants<Real> constants_{};
   StepConstants<double> wall_constants_{};
   std::vector<Worker> workers_;

@@ -4,6 +4,7 @@
 #include "kernels/polyhedron_contacts.h"
 #include "kernels/wall_contacts.h"
 #include "scheduler/graph.h"
+#include "scheduler/rebuild.h"
 
 namespace quern {
 
@@ -83,11 +84,16 @@ void count_spheres(const World<Real>& world, StepCost& cost) {
     bytes(Stage::kMotion) += bytes_of(*column);
   }
 
-#define QUERN_COUNT(type, name, unit, doc) cost.rebuild_bytes += kBoth * bytes_of(p.name);
+  constexpr double kKeys = 2 * kBoth * sizeof(CurveKey) + kBoth * 2 * kIndex;  // sorted; orders
+  constexpr double kLine = 3 * sizeof(double) + 4 * sizeof(float);
+  constexpr double kEntry = 8 * sizeof(float) + kIndex;  // of the grid
+  constexpr double kSearch = sizeof(SearchPoint) + sizeof(StagedEntry) + kEntry;
+  double sorting = n * kKeys;
+#define QUERN_COUNT(type, name, unit, doc) sorting += kBoth * bytes_of(p.name);
   QUERN_PARTICLE_FIELDS(QUERN_COUNT)
 #undef QUERN_COUNT
-  constexpr double kKeys = 2 * kBoth * sizeof(CurveKey) + kBoth * 2 * kIndex;  // sorted; orders
-  cost.rebuild_bytes += n * (kKeys + kBoth * sizeof(SearchPoint)) +
+  cost.rebuild_bytes += sorting / static_cast<double>(kSortEvery) +
+                        n * (sizeof(Record<Real>) + kLine + kBoth * kSearch) +
                         kBoth * (slots.listed * sizeof(CandidatePair) + bytes_of(pairs.partner) +
                                  bytes_of(pairs.numbers));
 

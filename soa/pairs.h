@@ -15,6 +15,7 @@
 // side of a row costs nothing but additions in registers.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "soa/column.h"
@@ -43,6 +44,11 @@ struct PairBatch {
       if (number(slot, k) != 0) return true;
     }
     return false;
+  }
+  // Rows without any history.
+  void clear_rows(std::size_t first, std::size_t rows) {
+    std::fill_n(numbers.data() + first * kPairPad * history(), rows * kPairPad * history(),
+                Real(0));
   }
   // f(slot, i, j) for every pair that a tile lists, of its own part or of its imported one.
   enum class Part { kOwn, kImported };

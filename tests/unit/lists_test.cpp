@@ -143,7 +143,9 @@ std::map<std::pair<Index, Index>, double> gaps_of(const SearchScene& s) {
 std::vector<CandidatePair> candidates(SearchScene s, std::size_t tile = 64) {
   const SearchInput in = s.input();
   SearchGrid grid;
-  build_grid(in, grid);
+  build_grid(in, grid, [](std::size_t count, const std::function<void(std::size_t)>& task) {
+    for (std::size_t k = count; k-- > 0;) task(k);
+  });
   std::vector<CandidatePair> found;
   for (std::size_t first = 0; first < s.size(); first += tile) {
     find_candidates(in, grid, static_cast<Index>(first),
