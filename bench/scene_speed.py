@@ -63,7 +63,7 @@ def settle(program, name, work, threads, settings=()):
         print(f"# settling {name} ...", flush=True)
         scene = os.path.join(ROOT, "apps", "scenes", name + ".toml")
         run(program, scene, folder, threads,
-            ["run.duration=1e-3", "output.frames_every=0", *settings])
+            ["run.duration=1e-3", "run.record_from=0", "output.frames_every=0", *settings])
     return checkpoint
 
 
