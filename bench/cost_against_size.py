@@ -313,7 +313,7 @@ def main():
         all_right = show(report.say, FAMILIES[name], found[name]) and all_right
     if not options.small:
         report.write("cost_against_size.txt")
-        plot(found, os.path.join(scene_speed.ROOT, "bench", "results", "cost_against_size.svg"))
+        plot(found, quern_bench.result_path("cost_against_size.svg"))
     sys.exit(0 if all_right else 1)
 
 

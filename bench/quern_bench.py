@@ -59,6 +59,12 @@ def spread(values):
     return f"{statistics.median(values):.2f} ({min(values):.2f} ... {max(values):.2f})"
 
 
+def result_path(name):
+    folder = os.path.join(scene_speed.ROOT, "bench", "results")
+    os.makedirs(folder, exist_ok=True)
+    return os.path.join(folder, name)
+
+
 class Report:
     """Lines for the screen, and for a file of bench/results."""
 
@@ -77,6 +83,5 @@ class Report:
         self.say(f"# {' '.join([script, *sys.argv[1:]])}")
 
     def write(self, name):
-        path = os.path.join(scene_speed.ROOT, "bench", "results", name)
-        with open(path, "w", encoding="utf-8") as file:
+        with open(result_path(name), "w", encoding="utf-8") as file:
             file.write("\n".join(self.lines) + "\n")

@@ -86,7 +86,8 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("program")
     parser.add_argument("scenes", nargs="+", metavar="scene")
-    parser.add_argument("--threads", default="1,2,4,8,16")
+    parser.add_argument("--threads", help="default: 1, 2, 4 ... up to the processors",
+                        default=",".join(str(2**k) for k in range(os.cpu_count().bit_length())))
     parser.add_argument("--steps", type=int, default=1000, help="of a turn, after a tenth untimed")
     parser.add_argument("--repeats", type=int, default=3)
     parser.add_argument("--work", default=os.path.join(scene_speed.ROOT, "build", "bench"))
