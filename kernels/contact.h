@@ -8,9 +8,6 @@
 // those tiles compute the same contact from the same bits.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "soa/base.h"
 #include "soa/motion.h"
 #include "soa/pairs.h"
@@ -157,15 +154,12 @@ struct Kernels {
   const char* target;
 };
 
-// The kernels for the best target this CPU and hwy::SetSupportedTargetsForTest allow.
+// The kernels for the best target this CPU and `use_simd_target` allow.
 template <class Real>
 Kernels<Real> choose_kernels();
 template <>
 Kernels<float> choose_kernels<float>();
 template <>
 Kernels<double> choose_kernels<double>();
-
-// Names of the SIMD targets this CPU can run, best first.
-std::vector<std::string> simd_targets();
 
 }  // namespace quern

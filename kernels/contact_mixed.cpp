@@ -31,13 +31,5 @@ Kernels<float> choose_kernels<float>() {
   return HWY_DYNAMIC_DISPATCH(kernels_mixed)();
 }
 
-std::vector<std::string> simd_targets() {
-  std::vector<std::string> names;
-  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    names.emplace_back(hwy::TargetName(target));
-  }
-  return names;
-}
-
 }  // namespace quern
 #endif

@@ -13,6 +13,7 @@
 #include "apps/quern/start.h"
 #include "io/log.h"
 #include "io/summary.h"
+#include "kernels/simd_target.h"
 #include "kernels/tally.h"
 #include "scheduler/step.h"
 #include "scheduler/step_cost.h"
@@ -332,6 +333,7 @@ void print_json(const BenchFigures& f) {
 }  // namespace
 
 int bench_command(const BenchOptions& options) {
+  if (!options.target.empty()) use_simd_target(options.target);
   LoadedScene loaded = load_scene(options.scene, options.overrides);
   judge_time_step(loaded);
   return_large_blocks();

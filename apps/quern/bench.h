@@ -14,6 +14,7 @@ struct BenchOptions {
   std::uint64_t steps = 1000;  // of a repeat, after a warm-up of a tenth
   int repeats = 3;
   std::vector<std::string> overrides;
+  std::string target;  // SIMD; empty: the best of this CPU
   bool json = false;
 };
 

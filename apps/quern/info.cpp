@@ -5,6 +5,7 @@
 #include "io/log.h"
 #include "io/scene_reader.h"
 #include "kernels/contact.h"
+#include "kernels/simd_target.h"
 #include "kernels/tally.h"
 #include "soa/catalog.h"
 #include "soa/fields.h"

@@ -13,6 +13,7 @@
 #include "apps/quern/run.h"
 #include "apps/quern/shape.h"
 #include "io/log.h"
+#include "kernels/simd_target.h"
 
 namespace {
 
@@ -58,6 +59,8 @@ int dispatch(int argc, char** argv) {
       ->check(CLI::Range(1, 1000));
   bench->add_option("--set", bench_options.overrides, "key=value, replaces a value of the scene")
       ->take_all();
+  bench->add_option("--target", bench_options.target, "SIMD target (default: the best)")
+      ->check(CLI::IsMember(quern::simd_targets()));
   bench->add_flag("--json", bench_options.json, "for scripts");
 
   quern::ShapeCommand shape_options;

@@ -22,7 +22,7 @@ template <class Real>
 void warn_of_target(const CheckpointHeader& header) {
   const std::string target = choose_kernels<Real>().target;
   if (header.simd_target == target) return;
-  log_warn(fmt::format("the run was computed with {}, this machine has {}: its bits will differ",
+  log_warn(fmt::format("the run was computed with {} and goes on with {}: its bits will differ",
                        header.simd_target, target));
 }
 

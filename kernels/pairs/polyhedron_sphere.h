@@ -55,7 +55,7 @@ struct PolyhedronSphereKernel {
   const char* target;
 };
 
-// The kernel for the best target this CPU and hwy::SetSupportedTargetsForTest allow.
+// The kernel for the best target this CPU and `use_simd_target` allow.
 PolyhedronSphereKernel choose_polyhedron_sphere();
 
 }  // namespace quern

@@ -5,8 +5,10 @@ usage: QUERN_PROGRAM=build/release/quern cli_bench_test.py [CLASS ...]
 """
 
 import json
+import os
 import re
 import unittest
+import unittest.mock
 
 from cli_test import BOUNCE, LAB_MILL, SCENES, SHORT, TWO, Case, quern
 
@@ -19,6 +21,10 @@ class Bench(Case):
     def bench(self, *more):
         result = self.expect(0, quern("bench", *more, "--json", cwd=self.folder))
         return json.loads(result.stdout)  # nothing else may be there
+
+    def targets(self):
+        said = self.expect(0, quern("info")).stdout
+        return re.search(r"^SIMD targets .*:(.*)$", said, re.MULTILINE)[1].split()
 
     def adds_up(self, found):
         """What follows from other figures of the same bench."""
@@ -99,6 +105,19 @@ class Bench(Case):
         # It has fallen for a tenth of a second and lies on itself.
         self.assertGreater(later["sphere_pairs_touching"], 2 * first["sphere_pairs_touching"])
 
+    def test_runs_at_the_target_asked_for(self):
+        targets = self.targets()
+        # Of a vector of f32 with half of its lanes empty (SSE4) the rest may divide zero by zero.
+        untrapped = {k: v for k, v in os.environ.items() if k != "QUERN_TRAP_FP"}
+        with unittest.mock.patch.dict(os.environ, untrapped, clear=True):
+            found = [self.bench(LAB_MILL, *self.FEW, "--target", name) for name in targets]
+        self.assertEqual([f["simd_target"] for f in found], targets)
+        # Vectors of half the length have half the peak, or they would not be what they are said to.
+        if {"AVX2", "SSE4"} <= set(targets):
+            wide, narrow = (found[targets.index(name)] for name in ("AVX2", "SSE4"))
+            self.assertGreater(wide["peak_operations_per_s"], 1.5 * narrow["peak_operations_per_s"])
+        self.assertEqual(self.bench(LAB_MILL, *self.FEW)["simd_target"], targets[0])
+
     def two(self, motion, place, steps=200):
         path = self.folder / "two.toml"
         path.write_text(TWO % (motion, place), encoding="utf-8")
@@ -118,6 +137,7 @@ class Bench(Case):
     def test_of_mistakes_ends_with_2(self):
         self.expect(2, quern("bench", BOUNCE, "--steps", 0), "steps")
         self.expect(2, quern("bench", BOUNCE, "--repeats", 0), "repeats")
+        self.expect(2, quern("bench", BOUNCE, "--target", "AVX9"), "AVX9", *self.targets())
         self.expect(2, quern("bench", BOUNCE, "--set", "run.duratoin=1"), "did you mean")
 
 
