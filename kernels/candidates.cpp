@@ -20,11 +20,15 @@ namespace quern {
 namespace HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+// AVX2 packs eight lanes by a table of eight kilobytes, four by one of 256 bytes.
+constexpr std::size_t kSearchLanes = HWY_TARGET == HWY_AVX2 ? 4 : 16;
+using SearchLanes = hn::CappedTag<float, kSearchLanes>;
+
 // Those entries of a block of cells that come nearer to a box than reach + their own reach. `near`
 // has room for all of the block and a vector more.
 void collect_block(const GridLevel& level, const CellBlock& block, const MiddleBox& box,
                    float reach, NearEntries& near) {
-  const hn::ScalableTag<float> d;
+  const SearchLanes d;
   const hn::RebindToUnsigned<decltype(d)> du;
   const std::size_t lanes = hn::Lanes(d);
   const auto zero = hn::Zero(d), r = hn::Set(d, reach);
@@ -71,7 +75,7 @@ void collect_block(const GridLevel& level, const CellBlock& block, const MiddleB
 // vector more.
 std::size_t choose_near(const NearEntries& near, const Searcher& mine, float half_window,
                         float slack, Index* found) {
-  const hn::ScalableTag<float> d;
+  const SearchLanes d;
   const hn::RebindToUnsigned<decltype(d)> du;
   const std::size_t lanes = hn::Lanes(d);
   const auto cx = hn::Set(d, mine.x[0]), cy = hn::Set(d, mine.x[1]), cz = hn::Set(d, mine.x[2]);

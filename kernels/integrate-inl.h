@@ -49,24 +49,24 @@ HWY_INLINE void store_records(const Vec3V<hn::Vec<D64>>& x, const Vec3V<hn::Vec<
   }
 }
 
-#if QUERN_AVX512
-// Eight whole records, turned in registers; written past the caches, which do not hold them until the
-// next step anyway.
+// As many whole records as there are lanes, turned in registers; written past the caches, which do not
+// hold them until the next step anyway.
 HWY_INLINE void store_full_records(const Vec3V<hn::Vec<D64>>& x, const Vec3V<hn::Vec<D64>>& v,
                                    const Vec3V<hn::Vec<D64>>& w, hn::Vec<HalfLanes<float>> radius,
                                    Record<float>* to) {
-  const auto two_f32 = [](__m256 low, __m256 high) HWY_ATTR {
-    const __m512i a = _mm512_cvtepu32_epi64(_mm256_castps_si256(low));
-    const __m512i b = _mm512_cvtepu32_epi64(_mm256_castps_si256(high));
-    return V64{_mm512_castsi512_pd(_mm512_or_si512(a, _mm512_slli_epi64(b, 32)))};
+  const auto bits = [](auto f32) HWY_ATTR {
+    return hn::PromoteTo(D64U(), hn::BitCast(D32U(), f32));
+  };
+  const auto two = [&](auto low, auto high) HWY_ATTR {
+    return hn::BitCast(D64(), hn::Or(bits(low), hn::ShiftLeft<32>(bits(high))));
   };
   const Vec3V<hn::Vec<HalfLanes<float>>> spin = to_real<float>(w);
-  V64 c[8] = {x.x, x.y, x.z, two_f32(radius.raw, spin.x.raw),
-              v.x, v.y, v.z, two_f32(spin.y.raw, spin.z.raw)};
-  transpose8(c);
-  for (int k = 0; k < 8; ++k) hn::Stream(c[k], D64(), reinterpret_cast<double*>(to + k));
+  const hn::Vec<D64> c[8] = {x.x, x.y, x.z, two(radius, spin.x),
+                             v.x, v.y, v.z, two(spin.y, spin.z)};
+  turn_to_rows(c, [&](std::size_t lane, std::size_t at, hn::Vec<D64> numbers) HWY_ATTR {
+    hn::Stream(numbers, D64(), reinterpret_cast<double*>(to + lane) + at);
+  });
 }
-#endif
 
 // Asks for what a later block of the tile will need; past the end it is the next tile's.
 template <class Real>
@@ -120,9 +120,8 @@ void move_spheres(const MoveView<Real>& m, const TileRows& tile, double dt, Move
                                hn::LoadU(d, m.spin[2] + at)};
     const Vec3V<V> spin_kicked = add_scaled(spin_old, twist, torque);
     const Vec3V<V> spin = scale(drag, spin_kicked);
-#if QUERN_AVX512
-    if constexpr (sizeof(Real) == sizeof(float)) {
-      if (count == 8) {
+    if constexpr (sizeof(Real) == sizeof(float) && HWY_TARGET != HWY_SCALAR) {
+      if (count == lanes) {
         store_full_records(place, velocity, spin, p.radius, m.next + at);
       } else {
         store_records<Real>(place, velocity, spin, p.radius, count, m.next + at);
@@ -130,9 +129,6 @@ void move_spheres(const MoveView<Real>& m, const TileRows& tile, double dt, Move
     } else {
       store_records<Real>(place, velocity, spin, p.radius, count, m.next + at);
     }
-#else
-    store_records<Real>(place, velocity, spin, p.radius, count, m.next + at);
-#endif
     hn::BlendedStore(spin.x, live, d, m.spin[0] + at);
     hn::BlendedStore(spin.y, live, d, m.spin[1] + at);
     hn::BlendedStore(spin.z, live, d, m.spin[2] + at);
