@@ -10,6 +10,7 @@
 #include <hwy/targets.h>
 
 #include <cfenv>
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -114,9 +115,11 @@ StepConstants<Real> constants(const CaseOptions& o, const RandomLaw<Real>& law) 
   c.clamped = o.clamped;
   c.rolling = o.rolling;
   c.damped = o.tangential_damping;
+  c.nearest2 = HUGE_VAL;
   if (o.periodic) {
     c.period[2] = 0.5;
     c.inverse_period[2] = 1 / c.period[2];
+    c.nearest2 = 0.25 * c.period[2] * c.period[2];
   }
   return c;
 }

@@ -7,6 +7,7 @@
 #include "scheduler/random.h"
 #include "soa/hash.h"
 #include "tests/support/build_world.h"
+#include "tests/support/mill_of_spheres.h"
 #include "tests/support/test_walls.h"
 #include "tests/support/trap_fp.h"
 
@@ -75,40 +76,13 @@ TEST(KnownTouch, IsWhatALookWouldTell) {
   }
 }
 
-constexpr const char* kScene = R"(
-format = 1
-[run]
-duration = "10 s"
-time_step = "1e-5 s"
-[materials.ore]
-density = "2000 kg/m^3"
-[contact]
-normal_stiffness = "1e4 N/m"
-tangential_stiffness = "4e3 N/m"
-sliding_friction = 0.4
-restitution = 0.6
-[mill]
-material = "ore"
-diameter = "300 mm"
-length = "60 mm"
-ends = "walls"
-rotation = "60 rpm"
-[mill.lifters]
-count = 18
-height = "10 mm"
-face_angle = "14 deg"
-top_width = "10 mm"
-[[particles]]
-name = "ore"
-material = "ore"
-diameter = "6 mm"
-count = 800
-[fill]
-method = "random"
-)";
-
 TEST(KnownTouch, ChangesNoBitOfARun) {
-  World<float> world = world_of<float>(scene_of(kScene)), other = world_of<float>(scene_of(kScene));
+  // Soft, so that spheres stay at the wall for long.
+  const Scene scene =
+      scene_of(test::kMillOfSpheres,
+               {"contact.normal_stiffness=1e4 N/m", "contact.tangential_stiffness=4e3 N/m",
+                "particles.ore.count=800"});
+  World<float> world = world_of<float>(scene), other = world_of<float>(scene);
   for (World<float>* w : {&world, &other}) {
     CounterRandom random(5);
     for (Record<float>& r : w->particles.record) {

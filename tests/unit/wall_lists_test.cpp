@@ -6,42 +6,11 @@
 #include "scheduler/check_lists.h"
 #include "scheduler/random.h"
 #include "tests/support/build_world.h"
+#include "tests/support/mill_of_spheres.h"
 #include "tests/support/trap_fp.h"
 
 namespace quern {
 namespace {
-
-constexpr const char* kScene = R"(
-format = 1
-[run]
-duration = "10 s"
-time_step = "1e-5 s"
-[materials.ore]
-density = "2000 kg/m^3"
-[contact]
-normal_stiffness = "1e5 N/m"
-tangential_stiffness = "4e4 N/m"
-sliding_friction = 0.4
-restitution = 0.6
-[mill]
-material = "ore"
-diameter = "300 mm"
-length = "60 mm"
-ends = "walls"
-rotation = "60 rpm"
-[mill.lifters]
-count = 18
-height = "10 mm"
-face_angle = "14 deg"
-top_width = "10 mm"
-[[particles]]
-name = "ore"
-material = "ore"
-diameter = "6 mm"
-count = 300
-[fill]
-method = "random"
-)";
 
 // Builds the lists for a window, then puts everything where it may be at `share` of the window.
 struct Flight {
@@ -49,7 +18,7 @@ struct Flight {
   std::vector<Record<double>> start;
 
   Flight(const Schedule& rotation, std::uint64_t steps, unsigned seed)
-      : world(world_of<double>(scene_of(kScene))) {
+      : world(world_of<double>(scene_of(test::kMillOfSpheres))) {
     CounterRandom random(seed);
     for (Body& body : world.bodies) body.motion.rate = rotation;
     for (Record<double>& r : world.particles.record) {
