@@ -25,8 +25,8 @@ struct ChunkSizes {
 
 // What the entries of a point need to know of its level.
 struct LevelPlan {
-  double image_reach =
-      0;  // a point nearer to a periodic face than this and its own reach shows twice
+  // m: a point nearer to a periodic face than this and its own reach shows twice.
+  double image_reach = 0;
   std::size_t cells = 0, cells_a_slab = 1, first_slab = 0;
 };
 
