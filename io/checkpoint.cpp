@@ -12,7 +12,7 @@
 namespace quern {
 namespace {
 
-constexpr std::uint64_t kFormat = 2;
+constexpr std::uint64_t kFormat = 3;
 constexpr const char* kWhat = "checkpoint";
 const std::string kState = "state";  // NOLINT(cert-err58-cpp): a short string cannot throw
 const std::string kSceneText = "header/scene_text";

@@ -182,7 +182,7 @@ void push_spheres(const StepConstants<double>& step, const ParticleView<Real>& p
     count_response<double>(r, touching, hn::Div(t.overlap, smaller), sum);
     const V one = hn::IfThenElseZero(touching, hn::Set(d, 1));
     const Vec3V<V> torque_i = scale(g.arm, cross(r.tangential, t.normal));
-    add_to_partners<double, 0>(r.force, torque_i, one, c.sphere + at, tile);
+    add_to_particles<double, 0>(r.force, torque_i, one, c.sphere + at, tile);
     const Vec3V<V> torque_j = cross(r.force, g.point);
     V on_j[8] = {hn::Neg(r.force.x),
                  hn::Neg(r.force.y),

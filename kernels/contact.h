@@ -55,9 +55,34 @@ struct PairView {
   const Index* owner;      // kPairPad a block
   const Index* row_begin;  // blocks + 1, into the rows of the batch
   const Index* partner;    // kPairPad a row
-  Real* numbers;           // history; see soa/pairs.h
+  std::uint16_t* open;     // of each row, a bit a lane: touched in the last step; in this one on return
+  Index* first_contact;    // of each row, out
   std::size_t own, all;    // blocks
 };
+
+// Pairs of a tile that touch or did so in the last step, in the order of its rows and lanes. Own ones come
+// first; each part is padded to kPairPad by lanes of a particle with itself. Room for all slots of the
+// tile and kPairPad more.
+struct FoundPairs {
+  Index *i, *j, *state;         // state: kTouches, kDidTouch
+  std::size_t own = 0, imported = 0;
+  std::size_t touching = 0;     // of both parts
+  std::size_t imported_begin() const { return (own + kPairPad - 1) / kPairPad * kPairPad; }
+};
+inline constexpr Index kTouches = 1, kDidTouch = 2;
+
+// The numbers of the bits that are set in a byte, ascending; then zeros.
+struct SetBits {
+  std::uint8_t lane[256][8] = {};
+  constexpr SetBits() {
+    for (int byte = 0; byte < 256; ++byte) {
+      for (std::uint8_t bit = 0, count = 0; bit < 8; ++bit) {
+        if ((byte >> bit & 1) != 0) lane[byte][count++] = bit;
+      }
+    }
+  }
+};
+inline constexpr SetBits kSetBits;
 
 // Sums over the contacts of a tile in one step, and the worst overlap found.
 struct ContactTally {
@@ -140,8 +165,11 @@ struct BodyContacts;
 
 template <class Real>
 struct Kernels {
-  void (*pairs)(const StepConstants<Real>&, const ParticleView<Real>&, const PairView<Real>&,
-                const TileRows&, ContactTally&);
+  void (*find_pairs)(const StepConstants<Real>&, const ParticleView<Real>&, const PairView<Real>&,
+                     FoundPairs&);
+  void (*push_pairs)(const StepConstants<Real>&, const ParticleView<Real>&, const FoundPairs&,
+                     const HistoryView<Real>& old, const HistoryView<Real>& now, const TileRows&,
+                     ContactTally&);
   void (*walls)(const StepConstants<double>&, const ParticleView<Real>&, const WallContacts&,
                 const TileRows&, ContactTally&);
   void (*move)(const MoveView<Real>&, const TileRows&, double dt, MoveTally&);

@@ -13,7 +13,7 @@ namespace quern {
 namespace HWY_NAMESPACE {
 
 Kernels<double> kernels_double() {
-  return {&sphere_sphere<double>, &sphere_facet<double>, &move_spheres<double>,
+  return {&find_pairs<double>, &push_pairs<double>, &sphere_facet<double>, &move_spheres<double>,
           &gather_spheres<double>, &push_spheres<double>, &push_bodies, hwy::TargetName(HWY_TARGET)};
 }
 

@@ -13,7 +13,7 @@ namespace quern {
 namespace HWY_NAMESPACE {
 
 Kernels<float> kernels_mixed() {
-  return {&sphere_sphere<float>, &sphere_facet<float>, &move_spheres<float>,
+  return {&find_pairs<float>, &push_pairs<float>, &sphere_facet<float>, &move_spheres<float>,
           &gather_spheres<float>, &push_spheres<float>, &push_bodies, hwy::TargetName(HWY_TARGET)};
 }
 

@@ -227,7 +227,7 @@ HWY_INLINE hn::Vec<hn::RebindToSigned<Lanes<Real>>> load_index(const Index* from
   }
 }
 
-// Lane sums of a tally: in Real over the few contacts of a block, in f64 over the blocks of a tile.
+// Lane sums of a tally: in Real over a few contacts, in f64 over all of a tile.
 template <class V>
 struct TallyV {
   V work, elastic, slide, tangential_damping, numerical_loss, deepest;
@@ -255,17 +255,17 @@ HWY_INLINE void count_response(const ResponseV<V>& r, M touching, V relative_ove
   sum.deepest = hn::Max(sum.deepest, deep);
 }
 template <class Real>
-HWY_INLINE void add_block(const TallyV<hn::Vec<Lanes<Real>>>& block, TallySumV& sum) {
-  sum.work = hn::Add(sum.work, folded_f64<Real>(block.work));
-  sum.elastic = hn::Add(sum.elastic, folded_f64<Real>(block.elastic));
-  sum.slide = hn::Add(sum.slide, folded_f64<Real>(block.slide));
+HWY_INLINE void add_few(const TallyV<hn::Vec<Lanes<Real>>>& few, TallySumV& sum) {
+  sum.work = hn::Add(sum.work, folded_f64<Real>(few.work));
+  sum.elastic = hn::Add(sum.elastic, folded_f64<Real>(few.elastic));
+  sum.slide = hn::Add(sum.slide, folded_f64<Real>(few.slide));
   sum.tangential_damping =
-      hn::Add(sum.tangential_damping, folded_f64<Real>(block.tangential_damping));
-  sum.numerical_loss = hn::Add(sum.numerical_loss, folded_f64<Real>(block.numerical_loss));
-  sum.contacts += block.contacts;
-  sum.warnings += block.warnings;
-  sum.deepest = hn::Max(sum.deepest, hn::Max(half_f64<Real, 0>(block.deepest),
-                                             half_f64<Real, 1>(block.deepest)));
+      hn::Add(sum.tangential_damping, folded_f64<Real>(few.tangential_damping));
+  sum.numerical_loss = hn::Add(sum.numerical_loss, folded_f64<Real>(few.numerical_loss));
+  sum.contacts += few.contacts;
+  sum.warnings += few.warnings;
+  sum.deepest = hn::Max(sum.deepest, hn::Max(half_f64<Real, 0>(few.deepest),
+                                             half_f64<Real, 1>(few.deepest)));
 }
 inline double sum_lanes(hn::Vec<D64> v) {
   HWY_ALIGN double lane[hn::MaxLanes(D64())];

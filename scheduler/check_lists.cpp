@@ -233,7 +233,7 @@ std::vector<std::string> unequal_twins(const World<Real>& world) {
       }
       bool equal = true;
       for (std::size_t k = 0; k < pairs.history(); ++k) {
-        equal = equal && pairs.number(slot, k) == pairs.number(twin->second.slot, k);
+        equal = equal && pairs.number(t, slot, k) == pairs.number(other, twin->second.slot, k);
       }
       if (!equal) faults.push_back(name_of_pair(world, i, j) + ": the copies differ");
     }
@@ -257,8 +257,9 @@ Vec3 sum_of_pair_forces(const World<Real>& world) {
         twin = found == tiles[other].imported.end() ? kNoIndex : found->second.slot;
       }
       for (std::size_t a = 0; a < 3; ++a) {
-        const double on_i = static_cast<double>(pairs.number(pair.slot, 3 + a));
-        const double on_j = twin == kNoIndex ? 0 : -static_cast<double>(pairs.number(twin, 3 + a));
+        const double on_i = static_cast<double>(pairs.number(t, pair.slot, 3 + a));
+        const double on_j =
+            twin == kNoIndex ? 0 : -static_cast<double>(pairs.number(other, twin, 3 + a));
         sum[static_cast<Eigen::Index>(a)] += on_i + on_j;
       }
     }

@@ -80,22 +80,39 @@ RowMap keep_spheres(Particles<Real>& p, std::span<const ParticleSeed> seeds) {
   return map;
 }
 
+// Slots whose owner or partner is taken out become empty, and their contacts are forgotten.
 template <class Real>
 void keep_pairs(PairBatch<Real>& pairs, const RowMap& map) {
-  for (std::size_t block = 0; block < pairs.blocks(); ++block) {
-    for (std::size_t lane = 0; lane < kPairPad; ++lane) {
-      Index& owner = pairs.owner[block * kPairPad + lane];
-      const Index kept = map[owner];
+  for (std::size_t tile = 0; tile < pairs.tiles(); ++tile) {
+    ContactHistory<Real>& contacts = pairs.contacts[tile];
+    Index contact = 0, kept_contacts = 0;
+    for (Index block = pairs.begin[tile]; block < pairs.begin[tile + 1]; ++block) {
       for (std::size_t row = pairs.row_begin[block]; row < pairs.row_begin[block + 1]; ++row) {
-        const std::size_t slot = row * kPairPad + lane;
-        const Index partner = map[pairs.partner[slot]];
-        const bool empty = kept == kNoIndex || partner == kNoIndex;
-        pairs.partner[slot] = !empty ? partner : kept == kNoIndex ? 0 : kept;
-        if (!empty) continue;
-        for (std::size_t k = 0; k < pairs.history(); ++k) pairs.number(slot, k) = Real(0);
+        pairs.first_contact[row] = kept_contacts;
+        for (std::size_t lane = 0; lane < kPairPad; ++lane) {
+          const std::size_t slot = row * kPairPad + lane;
+          const Index owner = map[pairs.owner[block * kPairPad + lane]];
+          const Index partner = map[pairs.partner[slot]];
+          const bool empty = owner == kNoIndex || partner == kNoIndex;
+          pairs.partner[slot] = !empty ? partner : owner == kNoIndex ? 0 : owner;
+          if (!pairs.is_open(slot)) continue;
+          if (empty) {
+            pairs.open[row] &= static_cast<std::uint16_t>(~(1u << lane));
+          } else {
+            for (std::size_t k = 0; k < pairs.history(); ++k) {
+              contacts.number(kept_contacts, k) = contacts.number(contact, k);
+            }
+            ++kept_contacts;
+          }
+          ++contact;
+        }
       }
-      owner = kept == kNoIndex ? 0 : kept;
+      for (std::size_t lane = 0; lane < kPairPad; ++lane) {
+        Index& owner = pairs.owner[block * kPairPad + lane];
+        owner = map[owner] == kNoIndex ? 0 : map[owner];
+      }
     }
+    contacts.count = kept_contacts;
   }
 }
 

@@ -17,24 +17,22 @@ std::uint64_t key_of(float gap, Index partner) {
   const std::uint32_t rising = (bits & 0x80000000u) != 0 ? ~bits : bits | 0x80000000u;
   return std::uint64_t{rising} << 32 | partner;
 }
-const std::uint64_t kNoGap = key_of(0, 0);  // keys below it overlap
 
-// Stable, largest first.
-template <class Key>
-void sort_descending(std::vector<BlockPlan::Lane>& lanes, const Key& key) {
+// Stable, most partners first.
+void sort_by_count(std::vector<BlockPlan::Lane>& lanes) {
   Index most = 0;
-  for (const auto& lane : lanes) most = std::max(most, key(lane));
+  for (const auto& lane : lanes) most = std::max(most, lane.count);
   std::vector<Index> begin(most + 2, 0);
-  for (const auto& lane : lanes) ++begin[most - key(lane) + 1];
+  for (const auto& lane : lanes) ++begin[most - lane.count + 1];
   for (std::size_t k = 1; k < begin.size(); ++k) begin[k] += begin[k - 1];
   std::vector<BlockPlan::Lane> sorted(lanes.size());
-  for (const auto& lane : lanes) sorted[begin[most - key(lane)]++] = lane;
+  for (const auto& lane : lanes) sorted[begin[most - lane.count]++] = lane;
   lanes.swap(sorted);
 }
 
-// Groups pairs by their owner: partners nearest first, owners of many partners first, of those the
-// ones with many contacts: few lanes are empty, and the rows of a block touch in most lanes or in
-// none. Drops pairs that stay apart even if both leave their lines by what they may.
+// Groups pairs by their owner: partners nearest first, owners of many partners first: few lanes are
+// empty, and the last rows of a block touch in none. Drops pairs that stay apart even if both leave
+// their lines by what they may.
 template <bool kOwn>
 void arrange(const Column<float>& allowance, Index first, Index size,
              const std::vector<CandidatePair>& pairs, BlockPlan& plan) {
@@ -62,16 +60,13 @@ void arrange(const Column<float>& allowance, Index first, Index size,
     const Index most = kOwn ? kNoIndex : kLongestImport;
     for (Index from = begin[k]; from < begin[k + 1];) {
       const Index count = std::min(begin[k + 1] - from, most);
-      Index touching = 0;
-      while (touching < count && partner[from + touching] <= kNoGap) ++touching;
-      plan.lanes.push_back({first + k, from, count, touching});
+      plan.lanes.push_back({first + k, from, count});
       from += count;
     }
   }
   plan.partners.reserve(partner.size());
   for (const std::uint64_t key : partner) plan.partners.push_back(static_cast<Index>(key));
-  sort_descending(plan.lanes, [](const BlockPlan::Lane& lane) { return lane.touching; });
-  sort_descending(plan.lanes, [](const BlockPlan::Lane& lane) { return lane.count; });
+  sort_by_count(plan.lanes);
 }
 
 // Slot of the pair (i, j) in the old batch, or kNoIndex; an owner's slots are kPairPad apart.
@@ -93,17 +88,17 @@ struct Filler {
   PairBatch<Real>& fresh;
   Particles<Real>& particles;
 
-  void carry(std::size_t slot, Index i, Index j) const {
-    const Index was = old_slot(old, layout.old_first[i], layout.old_count[i], old_of_new[j]);
-    if (was == kNoIndex || !old.is_open(was)) return;
-    for (std::size_t k = 0; k < fresh.history(); ++k) fresh.number(slot, k) = old.number(was, k);
-  }
+  // An open contact of the old batch.
+  struct Old {
+    std::size_t tile;
+    Index contact;
+  };
 
+  // Owners and partners.
   template <bool kOwn>
-  void fill(const BlockPlan& plan, Index block) const {
+  void place(const BlockPlan& plan, Index block) const {
     for (std::size_t at = 0; at < plan.lanes.size(); at += kPairPad, ++block) {
       const std::size_t first_row = fresh.row_begin[block], rows = plan.lanes[at].count;
-      fresh.clear_rows(first_row, rows);
       for (std::size_t lane = 0; lane < kPairPad; ++lane) {
         const bool empty = at + lane >= plan.lanes.size();
         const BlockPlan::Lane from = plan.lanes[empty ? at : at + lane];
@@ -113,14 +108,47 @@ struct Filler {
           particles.pair_first[from.owner] = static_cast<Index>(slot);
           particles.pair_count[from.owner] = from.count;
         }
-        for (std::size_t row = 0; row < count; ++row) {
-          const Index partner = plan.partners[from.begin + row];
-          fresh.partner[slot + row * kPairPad] = partner;
-          carry(slot + row * kPairPad, kOwn ? from.owner : partner, kOwn ? partner : from.owner);
+        for (std::size_t row = 0; row < rows; ++row) {
+          fresh.partner[slot + row * kPairPad] =
+              row < count ? plan.partners[from.begin + row] : from.owner;
         }
-        for (std::size_t row = count; row < rows; ++row) {
-          fresh.partner[slot + row * kPairPad] = from.owner;
+      }
+    }
+  }
+
+  // The contacts that were open, in the order of rows.
+  template <bool kOwn>
+  void find_open(Index first_block, Index last_block, std::vector<Old>& contacts) const {
+    for (Index block = first_block; block < last_block; ++block) {
+      for (Index row = fresh.row_begin[block]; row < fresh.row_begin[block + 1]; ++row) {
+        fresh.first_contact[row] = static_cast<Index>(contacts.size());
+        fresh.open[row] = 0;
+        for (std::size_t lane = 0; lane < kPairPad; ++lane) {
+          const Index owner = fresh.owner[block * kPairPad + lane];
+          const Index partner = fresh.partner[row * kPairPad + lane];
+          if (owner == partner) continue;
+          const Index i = kOwn ? owner : partner, j = kOwn ? partner : owner;
+          const Index was = old_slot(old, layout.old_first[i], layout.old_count[i], old_of_new[j]);
+          if (was == kNoIndex || !old.is_open(was)) continue;
+          fresh.open[row] |= static_cast<std::uint16_t>(1u << lane);
+          contacts.push_back({old.tile_of(was), old.contact_of(was)});
         }
+      }
+    }
+  }
+
+  void fill(std::size_t tile, const TilePairs& pairs) const {
+    place<true>(pairs.own_plan, fresh.begin[tile]);
+    place<false>(pairs.imported_plan, fresh.own_end[tile]);
+    std::vector<Old> open;
+    find_open<true>(fresh.begin[tile], fresh.own_end[tile], open);
+    find_open<false>(fresh.own_end[tile], fresh.begin[tile + 1], open);
+    ContactHistory<Real>& to = fresh.contacts[tile];
+    to.reset(open.size(), fresh.history());
+    for (std::size_t c = 0; c < open.size(); ++c) {
+      const ContactHistory<Real>& from = old.contacts[open[c].tile];
+      for (std::size_t k = 0; k < fresh.history(); ++k) {
+        to.number(c, k) = from.number(open[c].contact, k);
       }
     }
   }
@@ -204,11 +232,9 @@ void lay_out_pairs(World<Real>& world, Graph& graph, const std::vector<TilePairs
     c->reset(p.size());
     c->fill(0);
   }
+  fresh.contacts.resize(tiles.size());
   const Filler<Real> filler = {world.pairs, layout, old_of_new, fresh, p};
-  graph.for_each(tiles.size(), [&](std::size_t tile, int) {
-    filler.template fill<true>(tiles[tile].own_plan, fresh.begin[tile]);
-    filler.template fill<false>(tiles[tile].imported_plan, fresh.own_end[tile]);
-  });
+  graph.for_each(tiles.size(), [&](std::size_t tile, int) { filler.fill(tile, tiles[tile]); });
   std::swap(world.pairs, fresh);
 }
 

@@ -17,7 +17,6 @@ namespace quern {
 struct BlockPlan {
   struct Lane {
     Index owner, begin, count;  // its partners: partners[begin .. begin + count)
-    Index touching;             // how many of them it may touch
   };
   std::vector<Index> partners;
   std::vector<Lane> lanes;

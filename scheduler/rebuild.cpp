@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint64_t kShortestWindow = 4, kLongestWindow = 4000;
 // A rebuild costs as much time a particle as so many slots whose spheres do not touch.
-constexpr double kRebuildInSlots = 150;
+constexpr double kRebuildInSlots = 400;
 // Of the idle slots, those that a shorter window and a smaller slack would spare.
 constexpr double kGrowingShare = 1.0 / 3;
 constexpr std::size_t kChunk = 4096;  // particles per task where order does not matter

@@ -102,15 +102,8 @@ void Stepper<Real>::run_tile(std::size_t tile, int worker) {
   run_walls(tile, w, rows);
   w.times.add(Stage::kSphereWalls, watch);
 
-  PairBatch<Real>& pairs = world_.pairs;
-  const std::size_t begin = pairs.begin[tile];
-  const PairView<Real> view = {pairs.owner.data() + begin * kPairPad,
-                               pairs.row_begin.data() + begin,
-                               pairs.partner.data(),
-                               pairs.numbers.data(),
-                               pairs.own_end[tile] - begin,
-                               pairs.begin[tile + 1] - begin};
-  kernels_.pairs(constants_, {p.record.data(), p.traits.data()}, view, rows, totals.pairs);
+  push_tile_pairs(kernels_, constants_, {p.record.data(), p.traits.data()}, world_.pairs, tile,
+                  rows, w.pairs, totals.pairs);
   w.times.add(Stage::kSpherePairs, watch);
   if (bodies_) {
     const double spheres = totals.pairs.contacts;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "kernels/contact.h"
+#include "kernels/tile_pairs.h"
 #include "kernels/wall_contacts.h"
 #include "scheduler/graph.h"
 #include "scheduler/polyhedron_step.h"
@@ -38,6 +39,7 @@ class Stepper {
  private:
   struct Worker {
     Column<double> rows;
+    PairScratch<Real> pairs;
     WallLanes lanes;
     BusyTimes times;
   };

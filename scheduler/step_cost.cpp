@@ -27,25 +27,21 @@ void add(const Operations& each, double count, Operations& to) {
 }
 
 struct SlotCount {
-  double listed = 0, open = 0, open_rows = 0;
+  double listed = 0, open = 0;
 };
 
-// Slots with a pair, of own and imported blocks, and those of them that hold a force or a spring.
+// Slots with a pair, of own and imported blocks, and those of them that touch.
 template <class Real>
 SlotCount count_slots(const PairBatch<Real>& pairs) {
   SlotCount count;
   for (std::size_t block = 0; block < pairs.blocks(); ++block) {
     for (std::size_t row = pairs.row_begin[block]; row < pairs.row_begin[block + 1]; ++row) {
-      bool open = false;
       for (std::size_t lane = 0; lane < kPairPad; ++lane) {
         const std::size_t slot = row * kPairPad + lane;
         if (pairs.owner[block * kPairPad + lane] == pairs.partner[slot]) continue;
         count.listed += 1;
-        if (!pairs.is_open(slot)) continue;
-        count.open += 1;
-        open = true;
+        if (pairs.is_open(slot)) count.open += 1;
       }
-      if (open) count.open_rows += 1;
     }
   }
   return count;
@@ -70,12 +66,12 @@ void count_spheres(const World<Real>& world, StepCost& cost) {
                                   static_cast<double>(c.particle.size() * sizeof(KnownTouch));
   }
   const SlotCount slots = count_slots(pairs);
+  const double histories = slots.open * static_cast<double>(pairs.history() * sizeof(Real));
   for (const Index count : p.pair_count) listed(Stage::kSpherePairs) += count;
   cost.slots = static_cast<double>(pairs.slots());
   bytes(Stage::kSpherePairs) =
       bytes_of(pairs.owner) + bytes_of(pairs.row_begin) + bytes_of(pairs.partner) +
-      bytes_of(pairs.numbers) +
-      slots.open_rows * static_cast<double>(kPairPad * pairs.history() * sizeof(Real));
+      kBoth * (bytes_of(pairs.open) + histories) + bytes_of(pairs.first_contact);
   bytes(Stage::kMotion) += kBoth * (bytes_of(p.record) + bytes_of(p.traits) + bytes_of(p.spin_x) +
                                     bytes_of(p.spin_y) + bytes_of(p.spin_z));
   for (const ColumnBase* column :
@@ -95,9 +91,9 @@ void count_spheres(const World<Real>& world, StepCost& cost) {
   cost.rebuild_bytes += sorting / static_cast<double>(kSortEvery) +
                         n * (sizeof(Record<Real>) + kLine + kBoth * kSearch) +
                         kBoth * (slots.listed * sizeof(CandidatePair) + bytes_of(pairs.partner) +
-                                 bytes_of(pairs.numbers));
+                                 histories);
 
-  add(kOfIdleSlot, slots.listed - slots.open, cost.operations);
+  add(kOfIdleSlot, slots.listed, cost.operations);
   add(kOfTouchingSlot, slots.open, cost.operations);
   if (world.damped) add(kOfDamping, slots.open, cost.operations);
   if (world.rolling) add(kOfRolling, slots.open, cost.operations);

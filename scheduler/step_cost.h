@@ -29,7 +29,7 @@ namespace quern {
 struct Operations {
   double real = 0, f64 = 0;  // in the precision of the law, in f64
 };
-// Estimates: counted in sphere_sphere_row() and respond(), move_spheres(), for lanes that hold a
+// Estimates: counted in touching_bits(), sphere_sphere() and respond(), move_spheres(), for lanes that hold a
 // pair.
 inline constexpr Operations kOfIdleSlot = {2, 14}, kOfTouchingSlot = {340, 28};
 inline constexpr Operations kOfDamping = {27, 0},

@@ -58,13 +58,14 @@ void add_pairs(const World<Real>& world, Hasher& h) {
   for (std::size_t tile = 0; tile + 1 < pairs.begin.size(); ++tile) {
     pairs.for_each(tile, Part::kOwn, [&](std::size_t slot, Index i, Index j) {
       if (!pairs.is_open(slot)) return;
-      keys.push_back({world.particles.id[i], world.particles.id[j], static_cast<Index>(slot), 0});
+      keys.push_back({world.particles.id[i], world.particles.id[j], static_cast<Index>(slot),
+                      static_cast<Index>(tile)});
     });
   }
   std::sort(keys.begin(), keys.end());
   for (const Key& key : keys) {
     h.add(key.a << 32 | key.b);
-    for (std::size_t k = 0; k < pairs.history(); ++k) h.add(pairs.number(key.slot, k));
+    for (std::size_t k = 0; k < pairs.history(); ++k) h.add(pairs.number(key.tile, key.slot, k));
   }
 }
 
@@ -75,9 +76,8 @@ void add_walls(const World<Real>& world, Hasher& h) {
     const std::vector<WallSpring>& springs = world.tile_walls[tile].springs;
     for (std::size_t k = 0; k < springs.size(); ++k) {
       const WallSpring& s = springs[k];
-      keys.push_back({world.particles.id[s.particle],
-                      std::uint64_t{s.wall} << 32 | s.feature, static_cast<Index>(k),
-                      static_cast<Index>(tile)});
+      keys.push_back({world.particles.id[s.particle], std::uint64_t{s.wall} << 32 | s.feature,
+                      static_cast<Index>(k), static_cast<Index>(tile)});
     }
   }
   std::sort(keys.begin(), keys.end());

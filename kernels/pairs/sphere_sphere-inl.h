@@ -1,4 +1,8 @@
-// Sphere against sphere: the contact loop of the batch that dominates most scenes.
+// Sphere against sphere: the contact loops of the batch that dominates most scenes.
+//
+// Two passes over a tile. The first finds who touches: a row of a block at once, the owners in
+// registers, half a cache line of each partner. The second applies the law to what was found: a
+// quarter of the listed pairs of a mill, packed into full vectors.
 //
 // Overlap is (R^2 - d^2) / (R + d) with R^2 - d^2 in f64, so that a static overlap of 1e-9 m at 5 m
 // from the origin is right to 1e-7 of itself although the rest of the force is f32 in `mixed`. The
@@ -10,6 +14,9 @@
 #else
 #define QUERN_SPHERE_SPHERE_INL_H_
 #endif
+
+#include <algorithm>
+#include <utility>
 
 #include "kernels/pair_loop-inl.h"
 
@@ -23,8 +30,8 @@ HWY_INLINE hn::Vec<D64> nearest_image(hn::Vec<D64> dx, double period, double inv
   return hn::NegMulAdd(turns, hn::Set(d, period), dx);
 }
 
-// Where i is from j, f64. An image is nearer only where some pair lies further apart than half a period:
-// next to never, so that lanes are asked together.
+// Where i is from j, f64. An image is nearer only where some pair lies further apart than half a
+// period: next to never, so that lanes are asked together.
 template <class Real>
 HWY_INLINE Vec3V<hn::Vec<D64>> apart(const StepConstants<Real>& step, const PlaceV<Real>& i,
                                      const PlaceV<Real>& j, hn::Vec<D64>& d2) {
@@ -105,109 +112,272 @@ HWY_INLINE TouchV<V> touch_of(const StepConstants<Real>& step, const BodyV<Real>
   return t;
 }
 
-// Sums of the owners of a block over its rows: fx fy fz tx ty tz contacts, f64.
-template <class Real>
-struct OwnerSums {
-  hn::Vec<D64> sum[kHalves<Real>][7];
-};
-template <class Real, std::size_t half, class V>
-HWY_INLINE void add_to_owner(const Vec3V<V>& force, const Vec3V<V>& torque, V one,
-                             OwnerSums<Real>& to) {
-  auto& sum = to.sum[half];
-  const V from[7] = {force.x, force.y, force.z, torque.x, torque.y, torque.z, one};
-  for (int k = 0; k < 7; ++k) sum[k] = hn::Add(sum[k], half_f64<Real, half>(from[k]));
-}
-
 // Row of each particle in the tile's accumulator; other tiles' particles take the last row.
 HWY_INLINE void find_rows(const TileRows& tile, const Index* particle, Index (&rows)[16]) {
   const auto first = hn::Set(D32U(), tile.first), size = hn::Set(D32U(), tile.size);
   hn::StoreU(hn::Min(hn::Sub(hn::LoadU(D32U(), particle), first), size), D32U(), rows);
 }
+// Adds the forces on the particles of one half of the lanes, lane after lane: lanes may share a
+// particle.
 template <class Real, std::size_t half, class V>
-HWY_INLINE void add_to_partners(const Vec3V<V>& force, const Vec3V<V>& torque, V one,
-                                const Index* partner, const TileRows& tile) {
+HWY_INLINE void add_to_particles(const Vec3V<V>& force, const Vec3V<V>& torque, V one,
+                                 const Index* particle, const TileRows& tile) {
   const auto f64 = [](V v) HWY_ATTR { return half_f64<Real, half>(v); };
   const hn::Vec<D64> c[8] = {f64(force.x),  f64(force.y),  f64(force.z), f64(torque.x),
                              f64(torque.y), f64(torque.z), f64(one),     hn::Zero(D64())};
   HWY_ALIGN Index rows[16];
-  find_rows(tile, partner, rows);
+  find_rows(tile, particle + half * hn::MaxLanes(D64()), rows);
   add_to_rows(c, rows, tile.rows);
 }
 
-// What one row of a block needs beside its partners: the owners.
+// The owners of a block, or of as much of it as a vector holds.
 template <class Real>
-struct BlockV {
+struct OwnersV {
   PlaceV<Real> low, high;
-  MotionV<Real> low_motion, high_motion;
-  BodyV<Real> owner;
-  hn::Vec<Lanes<Real>> radius, inverse_radius;
   hn::Vec<D64> low_radius, high_radius;
   hn::Vec<hn::RebindToSigned<Lanes<Real>>> index;
-  OwnerSums<Real> sums;
-  TallyV<hn::Vec<Lanes<Real>>> tally;
 };
+template <class Real>
+HWY_INLINE OwnersV<Real> load_owners(const ParticleView<Real>& p, const Index* owner) {
+  constexpr std::size_t kLast = kHalves<Real> - 1;
+  OwnersV<Real> o;
+  o.index = load_index<Real>(owner);
+  o.low = load_places(p, owner);
+  o.high = load_places(p, owner + kLast * hn::MaxLanes(D64()));
+  const auto radius = join_radius(o.low, o.high);
+  o.low_radius = half_f64<Real, 0>(radius);
+  o.high_radius = half_f64<Real, kLast>(radius);
+  return o;
+}
 
-// One row: the owners of a block with one partner each. Own rows give the partner its share and are
-// tallied; in imported rows the owner is j.
-template <class Real, class Law, bool kOwn>
-HWY_INLINE void sphere_sphere_row(const StepConstants<Real>& step, const ParticleView<Real>& p,
-                                  const Index* partner, Real* numbers, const TileRows& tile,
-                                  BlockV<Real>& block) {
+// A bit for each owner that touches its partner.
+template <class Real>
+HWY_INLINE std::uint32_t touching_bits(const StepConstants<Real>& step, const ParticleView<Real>& p,
+                                       const OwnersV<Real>& owners, const Index* partner) {
   const Lanes<Real> d;
-  using V = hn::Vec<Lanes<Real>>;
-  constexpr std::size_t kHalf = hn::MaxLanes(D64());
-  constexpr std::size_t kHigh = kHalves<Real> - 1;
-  const V zero = hn::Zero(d);
+  constexpr std::size_t kLast = kHalves<Real> - 1;
   hn::Vec<D64> low_d2, high_d2;
   const PlaceV<Real> low = load_places(p, partner);
-  const auto low_place = to_real<Real>(kOwn ? apart(step, block.low, low, low_d2)
-                                            : apart(step, low, block.low, low_d2));
-  const PlaceV<Real> high = load_places(p, partner + kHigh * kHalf);
-  const auto high_place = to_real<Real>(kOwn ? apart(step, block.high, high, high_d2)
-                                             : apart(step, high, block.high, high_d2));
-  const V radius = join_radius(low, high);
-  SeparationV<V> s;
-  s.gap2 = join<Real>(gap2_of<Real, 0>(block.low_radius, radius, low_d2),
-                      gap2_of<Real, kHigh>(block.high_radius, radius, high_d2));
-  HistoryV<V> old;
-  old.force = load3<V>(numbers + 3 * kPairPad, kPairPad);
-  const V any_force =
-      hn::Add(hn::Abs(old.force.x), hn::Add(hn::Abs(old.force.y), hn::Abs(old.force.z)));
+  apart(step, owners.low, low, low_d2);
+  const PlaceV<Real> high = load_places(p, partner + kLast * hn::MaxLanes(D64()));
+  apart(step, owners.high, high, high_d2);
+  const auto radius = join_radius(low, high);
+  const auto gap2 = join<Real>(gap2_of<Real, 0>(owners.low_radius, radius, low_d2),
+                               gap2_of<Real, kLast>(owners.high_radius, radius, high_d2));
   // An empty lane pairs a particle with itself: gap = R^2 there, so ask for two distinct partners.
-  const auto distinct = hn::RebindMask(d, hn::Ne(block.index, load_index<Real>(partner)));
-  const auto touching = hn::And(distinct, hn::Gt(s.gap2, zero));
-  if (hn::AllFalse(d, hn::Or(touching, hn::Gt(any_force, zero)))) return;
+  const auto distinct = hn::RebindMask(d, hn::Ne(owners.index, load_index<Real>(partner)));
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(d, hn::And(distinct, hn::Gt(gap2, hn::Zero(d))), bytes);
+  return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
+}
 
+// The partners of a row some rows ahead; past the end of a tile's rows it is the next tile's.
+constexpr std::size_t kRowsAhead = 10;
+template <class Real>
+HWY_INLINE void prefetch_row(const ParticleView<Real>& p, const Index* partner) {
+  for (std::size_t k = 0; k < kPairPad; ++k) hwy::Prefetch(p.record + partner[k]);
+}
+
+// The owners of the next block.
+template <class Real>
+HWY_INLINE void prefetch_next_block(const ParticleView<Real>& p, const PairView<Real>& pairs,
+                                    std::size_t block) {
+  if (block + 1 >= pairs.all) return;
+  const Index* owner = pairs.owner + (block + 1) * kPairPad;
+  for (std::size_t k = 0; k < kPairPad; ++k) hwy::Prefetch(p.record + owner[k]);
+}
+
+// What is found of one part of a tile.
+struct FoundPart {
+  Index *owner, *partner, *state;
+  std::size_t count;
+};
+
+// Lanes whose bit is set, side by side at the front. Up to eight lanes by a table of their numbers.
+template <class D>
+HWY_INLINE hn::Vec<D> to_front(D d, hn::Vec<D> v, std::uint32_t bits) {
+  constexpr std::size_t kLanes = hn::MaxLanes(d);
+  if constexpr (kLanes == 1) return v;
+  if constexpr (kLanes == 16) {
+    const std::uint16_t word = static_cast<std::uint16_t>(bits);
+    alignas(8) std::uint8_t bytes[8];
+    std::memcpy(bytes, &word, sizeof word);
+    return hn::Compress(v, hn::LoadMaskBits(d, bytes));
+  }
+  const hn::Rebind<std::uint8_t, D> bytes;
+  const auto lanes = hn::PromoteTo(d, hn::LoadU(bytes, kSetBits.lane[bits & 0xff]));
+  return hn::TableLookupLanes(v, hn::IndicesFromVec(d, lanes));
+}
+
+// Appends those lanes of a row that touch or did so in the last step.
+template <class Real>
+HWY_INLINE void append(const Index* owner, const Index* partner, std::uint32_t touching,
+                       std::uint32_t open, FoundPart& to) {
+  const hn::Rebind<std::uint32_t, Lanes<Real>> d;
+  constexpr std::size_t kLanes = hn::MaxLanes(d);
+  for (std::size_t k = 0; k < kPairPad; k += kLanes) {
+    const std::uint32_t found = (touching | open) >> k & ((1u << kLanes) - 1);
+    const auto bit = hn::Shl(hn::Set(d, 1u), hn::Iota(d, static_cast<std::uint32_t>(k)));
+    const auto touches = hn::TestBit(hn::Set(d, touching), bit);
+    const auto did_touch = hn::TestBit(hn::Set(d, open), bit);
+    const auto state = hn::Or(hn::IfThenElseZero(touches, hn::Set(d, kTouches)),
+                              hn::IfThenElseZero(did_touch, hn::Set(d, kDidTouch)));
+    hn::StoreU(to_front(d, hn::LoadU(d, owner + k), found), d, to.owner + to.count);
+    hn::StoreU(to_front(d, hn::LoadU(d, partner + k), found), d, to.partner + to.count);
+    hn::StoreU(to_front(d, state, found), d, to.state + to.count);
+    to.count += static_cast<std::size_t>(__builtin_popcount(found));
+  }
+}
+
+// The first pass over one part. Vectors narrower than a block take it in pieces.
+template <class Real>
+HWY_INLINE void find_in_blocks(const StepConstants<Real>& step, const ParticleView<Real>& p,
+                               const PairView<Real>& pairs, std::size_t first, std::size_t last,
+                               FoundPart& found, std::size_t& touching_so_far) {
+  constexpr std::size_t kLanes = hn::MaxLanes(Lanes<Real>()), kPieces = kPairPad / kLanes;
+  const std::size_t end = pairs.row_begin[last];
+  for (std::size_t block = first; block < last; ++block) {
+    const Index* owner = pairs.owner + block * kPairPad;
+    OwnersV<Real> owners[kPieces];
+    for (std::size_t k = 0; k < kPieces; ++k) owners[k] = load_owners(p, owner + k * kLanes);
+    prefetch_next_block(p, pairs, block);
+    for (std::size_t row = pairs.row_begin[block]; row < pairs.row_begin[block + 1]; ++row) {
+      const Index* partner = pairs.partner + row * kPairPad;
+      if (row + kRowsAhead < end) prefetch_row(p, partner + kRowsAhead * kPairPad);
+      std::uint32_t touching = 0;
+      for (std::size_t k = 0; k < kPieces; ++k) {
+        touching |= touching_bits(step, p, owners[k], partner + k * kLanes) << k * kLanes;
+      }
+      const std::uint32_t open = pairs.open[row];
+      pairs.open[row] = static_cast<std::uint16_t>(touching);
+      pairs.first_contact[row] = static_cast<Index>(touching_so_far);
+      touching_so_far += static_cast<std::size_t>(__builtin_popcount(touching));
+      if ((touching | open) != 0) append<Real>(owner, partner, touching, open, found);
+    }
+  }
+  for (std::size_t k = found.count; k % kPairPad != 0; ++k) {
+    found.owner[k] = found.partner[k] = found.owner[0];
+    found.state[k] = 0;
+  }
+}
+template <class Real>
+void find_pairs(const StepConstants<Real>& step, const ParticleView<Real>& p,
+                const PairView<Real>& pairs, FoundPairs& found) {
+  found.touching = 0;
+  FoundPart own = {found.i, found.j, found.state, 0};
+  find_in_blocks(step, p, pairs, 0, pairs.own, own, found.touching);
+  found.own = own.count;
+  const std::size_t from = found.imported_begin();
+  FoundPart imported = {found.j + from, found.i + from, found.state + from, 0};
+  find_in_blocks(step, p, pairs, pairs.own, pairs.all, imported, found.touching);
+  found.imported = imported.count;
+}
+
+// The histories of a full vector of contacts. Those that were open stand side by side among the old
+// ones; a fresh one has zeros.
+template <class Real, std::size_t kNumbers, class V, class M>
+HWY_INLINE void load_history(const HistoryView<Real>& from, std::size_t at, M open,
+                             V (&c)[kNumbers]) {
+  const Lanes<Real> d;
+  for (std::size_t k = 0; k < kNumbers; ++k)
+    c[k] = hn::LoadU(d, from.numbers + k * from.stride + at);
+  if (HWY_LIKELY(hn::AllTrue(d, open))) return;
+#if QUERN_AVX512
+  for (V& v : c) {
+    if constexpr (sizeof(Real) == sizeof(float)) {
+      v = V{_mm512_maskz_expand_ps(open.raw, v.raw)};
+    } else {
+      v = V{_mm512_maskz_expand_pd(open.raw, v.raw)};
+    }
+  }
+#else
+  const hn::RebindToSigned<Lanes<Real>> di;
+  HWY_ALIGN hn::TFromD<decltype(di)> rank[hn::MaxLanes(di)];
+  hn::Store(hn::IfThenElseZero(hn::RebindMask(di, open), hn::Set(di, 1)), di, rank);
+  hn::TFromD<decltype(di)> before = 0;
+  for (auto& lane : rank) before += std::exchange(lane, before);
+  const auto from_lane = hn::SetTableIndices(d, rank);
+  for (V& v : c) v = hn::IfThenElseZero(open, hn::TableLookupLanes(v, from_lane));
+#endif
+}
+// Of those that touch, side by side.
+template <class Real, std::size_t kNumbers, class V, class M>
+HWY_INLINE void store_history(V (&c)[kNumbers], M touching, const HistoryView<Real>& to,
+                              std::size_t at) {
+  const Lanes<Real> d;
+  if (HWY_UNLIKELY(!hn::AllTrue(d, touching))) {
+    for (V& v : c) v = hn::Compress(v, touching);
+  }
+  for (std::size_t k = 0; k < kNumbers; ++k) hn::StoreU(c[k], d, to.numbers + k * to.stride + at);
+}
+
+// Where the next contact's history was and goes.
+struct HistoryPlace {
+  std::size_t old = 0, now = 0;
+};
+
+// A full vector of contacts. Own ones give both partners their share and are tallied; of imported
+// ones only j is of this tile.
+template <class Real, class Law, bool kOwn>
+HWY_INLINE void sphere_sphere(const StepConstants<Real>& step, const ParticleView<Real>& p,
+                              const Index* i, const Index* j, const Index* state,
+                              const HistoryView<Real>& old_history,
+                              const HistoryView<Real>& new_history, const TileRows& tile,
+                              HistoryPlace& at, TallyV<hn::Vec<Lanes<Real>>>& tally) {
+  const Lanes<Real> d;
+  using V = hn::Vec<Lanes<Real>>;
+  constexpr std::size_t kLast = kHalves<Real> - 1, kHigh = kLast * hn::MaxLanes(D64());
+  const V zero = hn::Zero(d);
+  hn::Vec<D64> low_d2, high_d2;
+  const PlaceV<Real> low_i = load_places(p, i), low_j = load_places(p, j);
+  const auto low_place = to_real<Real>(apart(step, low_i, low_j, low_d2));
+  const PlaceV<Real> high_i = load_places(p, i + kHigh), high_j = load_places(p, j + kHigh);
+  const auto high_place = to_real<Real>(apart(step, high_i, high_j, high_d2));
+  const V radius_i = join_radius(low_i, high_i), radius_j = join_radius(low_j, high_j);
+  SeparationV<V> s;
   s.place = join<Real>(low_place, high_place);
   s.d2 = join<Real>(to_real<Real>(low_d2), to_real<Real>(high_d2));
-  const MotionV<Real> low_motion = load_motions(p, partner);
-  const MotionV<Real> high_motion = load_motions(p, partner + kHigh * kHalf);
-  const auto relative = [&](const MotionV<Real>& mine, const MotionV<Real>& theirs) HWY_ATTR {
-    return to_real<Real>(kOwn ? mine.velocity - theirs.velocity : theirs.velocity - mine.velocity);
-  };
-  s.velocity = join<Real>(relative(block.low_motion, low_motion),
-                          relative(block.high_motion, high_motion));
-  const BodyV<Real> other = join_bodies(low, high, low_motion, high_motion);
-  const BodyV<Real>&a = kOwn ? block.owner : other, &b = kOwn ? other : block.owner;
+  s.gap2 = join<Real>(gap2_of<Real, 0>(half_f64<Real, 0>(radius_i), radius_j, low_d2),
+                      gap2_of<Real, kLast>(half_f64<Real, kLast>(radius_i), radius_j, high_d2));
+  const MotionV<Real> low_motion_i = load_motions(p, i), low_motion_j = load_motions(p, j);
+  const MotionV<Real> high_motion_i = load_motions(p, i + kHigh);
+  const MotionV<Real> high_motion_j = load_motions(p, j + kHigh);
+  s.velocity = join<Real>(to_real<Real>(low_motion_i.velocity - low_motion_j.velocity),
+                          to_real<Real>(high_motion_i.velocity - high_motion_j.velocity));
+  const BodyV<Real> a = join_bodies(low_i, high_i, low_motion_i, high_motion_i);
+  const BodyV<Real> b = join_bodies(low_j, high_j, low_motion_j, high_motion_j);
   V arm_i, arm_j;
   const TouchV<V> t =
-      kOwn ? touch_of<Real, Law::kRolling>(step, a, block.radius, b, radius, s, arm_i, arm_j)
-           : touch_of<Real, Law::kRolling>(step, a, radius, b, block.radius, s, arm_i, arm_j);
-  old.spring = load3<V>(numbers, kPairPad);
-  old.moment = {zero, zero, zero};
-  if constexpr (Law::kRolling) old.moment = load3<V>(numbers + 6 * kPairPad, kPairPad);
+      touch_of<Real, Law::kRolling>(step, a, radius_i, b, radius_j, s, arm_i, arm_j);
+
   using Row = hn::RebindToSigned<Lanes<Real>>;
-  const auto row = hn::Add(
-      hn::Mul(a.material, hn::Set(Row(), static_cast<hn::TFromD<Row>>(step.law.materials))),
-      b.material);
+  const auto states = load_index<Real>(state);
+  const auto is = [&](Index one) HWY_ATTR {
+    return hn::RebindMask(d,
+                          hn::TestBit(states, hn::Set(Row(), static_cast<hn::TFromD<Row>>(one))));
+  };
+  const auto touching = is(kTouches), open = is(kDidTouch);
+  V h[Law::kRolling ? kRollingHistory : kHistory];
+  load_history(old_history, at.old, open, h);
+  at.old += hn::CountTrue(d, open);
+  HistoryV<V> old = {{h[0], h[1], h[2]}, {h[3], h[4], h[5]}, {zero, zero, zero}};
+  if constexpr (Law::kRolling) old.moment = {h[6], h[7], h[8]};
+  const auto row =
+      hn::Add(hn::Mul(a.material, hn::Set(Row(), static_cast<hn::TFromD<Row>>(step.law.materials))),
+              b.material);
   const ResponseV<V> r =
       respond<Real, Law>(step, load_coefficients<Real>(step.law, row), t, old, touching);
-  store3(r.spring, numbers, kPairPad);
-  store3(r.force, numbers + 3 * kPairPad, kPairPad);
-  if constexpr (Law::kRolling) store3(r.moment, numbers + 6 * kPairPad, kPairPad);
-  if constexpr (kOwn) {
-    count_response<Real>(r, touching, hn::Mul(t.overlap, block.inverse_radius), block.tally);
-  }
+  const auto keep = [&](std::size_t first, const Vec3V<V>& v) HWY_ATTR {
+    h[first] = v.x;
+    h[first + 1] = v.y;
+    h[first + 2] = v.z;
+  };
+  keep(0, r.spring);
+  keep(3, r.force);
+  if constexpr (Law::kRolling) keep(6, r.moment);
+  store_history(h, touching, new_history, at.now);
+  at.now += hn::CountTrue(d, touching);
+  if constexpr (kOwn) count_response<Real>(r, touching, hn::Div(t.overlap, radius_i), tally);
 
   const Vec3V<V> twist = cross(r.tangential, t.normal);  // = -n x F_t
   Vec3V<V> torque_j = scale(arm_j, twist);
@@ -217,114 +387,68 @@ HWY_INLINE void sphere_sphere_row(const StepConstants<Real>& step, const Particl
   if constexpr (kOwn) {
     Vec3V<V> torque_i = scale(arm_i, twist);
     if constexpr (Law::kRolling) torque_i = torque_i + r.moment;
-    add_to_owner<Real, 0>(r.force, torque_i, one, block.sums);
-    add_to_partners<Real, 0>(on_j, torque_j, one, partner, tile);
-    if constexpr (kHalves<Real> == 2) {
-      add_to_owner<Real, 1>(r.force, torque_i, one, block.sums);
-      add_to_partners<Real, 1>(on_j, torque_j, one, partner + kHalf, tile);
-    }
-  } else {
-    add_to_owner<Real, 0>(on_j, torque_j, one, block.sums);
-    if constexpr (kHalves<Real> == 2) add_to_owner<Real, 1>(on_j, torque_j, one, block.sums);
+    add_to_particles<Real, 0>(r.force, torque_i, one, i, tile);
+    if constexpr (kLast == 1) add_to_particles<Real, 1>(r.force, torque_i, one, i, tile);
   }
+  add_to_particles<Real, 0>(on_j, torque_j, one, j, tile);
+  if constexpr (kLast == 1) add_to_particles<Real, 1>(on_j, torque_j, one, j, tile);
 }
 
-// What a row some rows ahead will need; past the end of a tile's rows it is the next tile's.
-constexpr std::size_t kRowsAhead = 4;
+// Particles of the next tile: the first pass there will need all of them within a short time.
 template <class Real>
-HWY_INLINE void prefetch_row(const ParticleView<Real>& p, const Index* partner, const Real* numbers,
-                             std::size_t width) {
-  for (std::size_t k = 0; k < hn::MaxLanes(Lanes<Real>()); ++k) {
-    hwy::Prefetch(p.record + partner[k]);
-  }
-  for (std::size_t k = 0; k < width; k += kPairPad) hwy::Prefetch(numbers + k);
-}
-
-// The owners of the next block, and with each own block as many particles of the next tile.
-template <class Real>
-HWY_INLINE void prefetch_next_block(const ParticleView<Real>& p, const PairView<Real>& pairs,
-                                    std::size_t block, const TileRows& tile) {
-  if (block + 1 < pairs.all) {
-    const Index* owner = pairs.owner + (block + 1) * kPairPad;
-    for (std::size_t k = 0; k < kPairPad; ++k) {
-      hwy::Prefetch(p.record + owner[k]);
-      hwy::Prefetch(p.traits + owner[k]);
-    }
-  }
-  if (block >= pairs.own) return;
-  const std::size_t next = tile.first + tile.size + block * kPairPad;
+HWY_INLINE void prefetch_next_tile(const ParticleView<Real>& p, std::size_t first,
+                                   std::size_t last) {
   constexpr std::size_t kTraitsInLine = 64 / sizeof(Traits<Real>);
-  for (std::size_t k = 0; k < kPairPad; ++k) hwy::Prefetch(p.record + next + k);
-  for (std::size_t k = 0; k < kPairPad; k += kTraitsInLine) hwy::Prefetch(p.traits + next + k);
+  for (std::size_t k = first; k < last; ++k) {
+    __builtin_prefetch(p.record + k, 0, 2);
+    if (k % kTraitsInLine == 0) __builtin_prefetch(p.traits + k, 0, 2);
+  }
 }
 
-// Blocks of one part. Vectors narrower than a block take it in pieces.
+// The second pass over one part.
 template <class Real, class Law, bool kOwn>
-HWY_INLINE void sphere_sphere_blocks(const StepConstants<Real>& step, const ParticleView<Real>& p,
-                                     const PairView<Real>& pairs, const TileRows& tile,
-                                     ContactTally& tally) {
-  constexpr std::size_t kLanes = hn::MaxLanes(Lanes<Real>()), kHalf = hn::MaxLanes(D64());
-  constexpr std::size_t width = (Law::kRolling ? kRollingHistory : kHistory) * kPairPad;
-  const std::size_t first = kOwn ? 0 : pairs.own, last = kOwn ? pairs.own : pairs.all;
-  const std::size_t end = pairs.row_begin[last];
+HWY_INLINE void push_part(const StepConstants<Real>& step, const ParticleView<Real>& p,
+                          const FoundPairs& found, const HistoryView<Real>& old,
+                          const HistoryView<Real>& now, const TileRows& tile, HistoryPlace& at,
+                          ContactTally& tally) {
+  constexpr std::size_t kLanes = hn::MaxLanes(Lanes<Real>());
+  constexpr std::size_t kFew = 4 * kPairPad;  // contacts whose tallies are added in Real
+  const std::size_t first = kOwn ? 0 : found.imported_begin();
+  const std::size_t last = first + (kOwn ? found.own : found.imported);
   TallySumV sum = zero_tally_sum();
-  for (std::size_t at = first; at < last; ++at) {
-    for (std::size_t piece = 0; piece < kPairPad; piece += kLanes) {
-      const Index* owner = pairs.owner + at * kPairPad + piece;
-      BlockV<Real> block;
-      block.index = load_index<Real>(owner);
-      block.tally = zero_tally<Real>();
-      const Index* high = owner + (kHalves<Real> - 1) * kHalf;
-      block.low = load_places(p, owner);
-      block.high = load_places(p, high);
-      block.low_motion = load_motions(p, owner);
-      block.high_motion = load_motions(p, high);
-      block.owner = join_bodies(block.low, block.high, block.low_motion, block.high_motion);
-      block.radius = join_radius(block.low, block.high);
-      block.low_radius = half_f64<Real, 0>(block.radius);
-      block.high_radius = half_f64<Real, kHalves<Real> - 1>(block.radius);
-      block.inverse_radius = hn::Div(hn::Set(Lanes<Real>(), 1), block.radius);
-      for (auto& half : block.sums.sum) {
-        for (auto& v : half) v = hn::Zero(D64());
-      }
-      if (piece == 0) prefetch_next_block(p, pairs, at, tile);
-      for (std::size_t row = pairs.row_begin[at]; row < pairs.row_begin[at + 1]; ++row) {
-        const Index* partner = pairs.partner + row * kPairPad + piece;
-        Real* numbers = pairs.numbers + row * width + piece;
-        if (row + kRowsAhead < end) {
-          prefetch_row(p, partner + kRowsAhead * kPairPad, numbers + kRowsAhead * width, width);
-        }
-        sphere_sphere_row<Real, Law, kOwn>(step, p, partner, numbers, tile, block);
-      }
-      for (std::size_t h = 0; h < kHalves<Real>; ++h) {
-        const auto& s = block.sums.sum[h];
-        const hn::Vec<D64> c[8] = {s[0], s[1], s[2], s[3], s[4], s[5], s[6], hn::Zero(D64())};
-        HWY_ALIGN Index rows[16];
-        find_rows(tile, owner + h * kHalf, rows);
-        add_to_rows(c, rows, tile.rows);
-      }
-      if constexpr (kOwn) add_block<Real>(block.tally, sum);
+  for (std::size_t from = first; from < last; from += kFew) {
+    auto few = zero_tally<Real>();
+    for (std::size_t k = from; k < std::min(last, from + kFew); k += kLanes) {
+      sphere_sphere<Real, Law, kOwn>(step, p, found.i + k, found.j + k, found.state + k, old, now,
+                                     tile, at, few);
+    }
+    if constexpr (kOwn) {
+      add_few<Real>(few, sum);
+      const std::size_t next = tile.first + tile.size;
+      prefetch_next_tile(p, next + from * tile.size / last,
+                         next + std::min(from + kFew, last) * tile.size / last);
     }
   }
   if constexpr (kOwn) add_tally(sum, tally);
 }
-
 template <class Real, class Law>
-void sphere_sphere_parts(const StepConstants<Real>& step, const ParticleView<Real>& p,
-                         const PairView<Real>& pairs, const TileRows& tile, ContactTally& tally) {
-  sphere_sphere_blocks<Real, Law, true>(step, p, pairs, tile, tally);
-  sphere_sphere_blocks<Real, Law, false>(step, p, pairs, tile, tally);
+void push_parts(const StepConstants<Real>& step, const ParticleView<Real>& p,
+                const FoundPairs& found, const HistoryView<Real>& old, const HistoryView<Real>& now,
+                const TileRows& tile, ContactTally& tally) {
+  HistoryPlace at;
+  push_part<Real, Law, true>(step, p, found, old, now, tile, at, tally);
+  push_part<Real, Law, false>(step, p, found, old, now, tile, at, tally);
 }
-
 template <class Real>
-void sphere_sphere(const StepConstants<Real>& step, const ParticleView<Real>& p,
-                   const PairView<Real>& pairs, const TileRows& tile, ContactTally& tally) {
+void push_pairs(const StepConstants<Real>& step, const ParticleView<Real>& p,
+                const FoundPairs& found, const HistoryView<Real>& old, const HistoryView<Real>& now,
+                const TileRows& tile, ContactTally& tally) {
   if (step.rolling) {
-    sphere_sphere_parts<Real, RollingLaw>(step, p, pairs, tile, tally);
+    push_parts<Real, RollingLaw>(step, p, found, old, now, tile, tally);
   } else if (step.damped) {
-    sphere_sphere_parts<Real, DampedLaw>(step, p, pairs, tile, tally);
+    push_parts<Real, DampedLaw>(step, p, found, old, now, tile, tally);
   } else {
-    sphere_sphere_parts<Real, PlainLaw>(step, p, pairs, tile, tally);
+    push_parts<Real, PlainLaw>(step, p, found, old, now, tile, tally);
   }
 }
 

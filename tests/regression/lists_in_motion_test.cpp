@@ -118,11 +118,11 @@ TEST(ListChecks, NoticeAMissingContactAndAChangedTwin) {
     // The lists are changed while they are looked at: copy what there is to try.
     std::vector<std::pair<std::size_t, bool>> slots;
     pairs.for_each(tile, PairBatch<float>::Part::kOwn, [&](std::size_t slot, Index, Index j) {
-      if (pairs.number(slot, 3) != 0) slots.emplace_back(slot, j / world.tile_size != tile);
+      if (pairs.is_open(slot)) slots.emplace_back(slot, j / world.tile_size != tile);
     });
     for (const auto& [slot, crosses] : slots) {
       if (crosses && changed++ == 0) {
-        float& force = pairs.number(slot, 3);
+        float& force = pairs.number(tile, slot, 3);
         const float was = force;
         force = std::nextafter(was, 2 * was);
         EXPECT_EQ(unequal_twins(world).size(), 1u);

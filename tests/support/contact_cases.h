@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "kernels/tile_pairs.h"
 #include "soa/column.h"
 #include "tests/support/test_walls.h"
 #include "tests/support/twin_kernels.h"
@@ -139,13 +140,51 @@ inline twin::History random_history(const twin::Coefficients& law, const Vec3& n
 
 enum class TouchState { kFresh, kPersisting, kLost, kApart };
 
-// Particles in pairs with their slots and histories, ready for the pair kernel: blocks of one row.
+// As the kernels have it.
+template <class Real>
+twin::History rounded(const twin::History& h) {
+  const auto round = [](const Vec3& v) { return Vec3(v.template cast<Real>().template cast<double>()); };
+  return {round(h.spring), round(h.force), round(h.moment)};
+}
+
+// Gives a batch the histories of its slots: open are those that have one.
+template <class Real>
+void set_histories(PairBatch<Real>& batch, const std::vector<twin::History>& of_slot) {
+  const auto is_open = [](const twin::History& h) {
+    return h.spring != Vec3::Zero() || h.force != Vec3::Zero() || h.moment != Vec3::Zero();
+  };
+  for (std::size_t slot = 0; slot < batch.slots(); ++slot) {
+    std::uint16_t& bits = batch.open[slot / kPairPad];
+    if (slot % kPairPad == 0) bits = 0;
+    if (is_open(of_slot[slot])) bits |= static_cast<std::uint16_t>(1u << slot % kPairPad);
+  }
+  const std::vector<Index> contacts = batch.count_contacts();
+  batch.contacts.resize(batch.tiles());
+  for (std::size_t tile = 0; tile < batch.tiles(); ++tile) {
+    batch.contacts[tile].reset(contacts[tile], batch.history());
+    const std::size_t first = batch.row_begin[batch.begin[tile]] * kPairPad;
+    const std::size_t last = batch.row_begin[batch.begin[tile + 1]] * kPairPad;
+    for (std::size_t slot = first; slot < last; ++slot) {
+      if (!batch.is_open(slot)) continue;
+      const twin::History& h = of_slot[slot];
+      const Vec3* const vectors[3] = {&h.spring, &h.force, &h.moment};
+      for (std::size_t k = 0; k < batch.history(); ++k) {
+        batch.number(tile, slot, k) =
+            static_cast<Real>((*vectors[k / 3])[static_cast<Eigen::Index>(k % 3)]);
+      }
+    }
+  }
+}
+
+// Particles in pairs with their slots and histories, ready for the pair kernel: one tile of blocks
+// of one row.
 template <class Real>
 struct PairCases {
   Column<Record<Real>> record;
   Column<Traits<Real>> traits;
   std::vector<Index> i, j;  // of each slot
   PairBatch<Real> batch;
+  std::vector<twin::History> histories;  // of each slot, before a step
   std::size_t contacts, slots;
 
   PairCases(std::size_t count, const CaseOptions& o, const RandomLaw<Real>& law, unsigned seed)
@@ -156,7 +195,9 @@ struct PairCases {
     j.assign(slots, 0);
     batch.rolling = o.rolling;
     batch.reset(slots / kPairPad, slots / kPairPad);
-    batch.numbers.fill(0);
+    batch.begin.reset(2);
+    batch.own_end.reset(1);
+    histories.resize(slots);
     Random random(seed);
     for (std::size_t k = 0; k < count; ++k) {
       i[k] = static_cast<Index>(2 * k);
@@ -168,30 +209,31 @@ struct PairCases {
   }
 
   ParticleView<Real> particles() const { return {record.data(), traits.data()}; }
-  // The first `own` slots (whole blocks) belong to the tile, the others are imported.
-  PairView<Real> view(std::size_t own) {
+  // A step of the tile, to which the first `own` slots (whole blocks) belong; the others are imported.
+  void push(std::size_t own, const StepConstants<Real>& step, const TileRows& rows,
+            ContactTally& tally) {
     for (std::size_t k = 0; k < slots; ++k) {
       batch.owner[k] = k < own ? i[k] : j[k];
       batch.partner[k] = k < own ? j[k] : i[k];
     }
     const std::size_t blocks = slots / kPairPad;
     for (std::size_t b = 0; b <= blocks; ++b) batch.row_begin[b] = static_cast<Index>(b);
-    return {batch.owner.data(),   batch.row_begin.data(), batch.partner.data(),
-            batch.numbers.data(), own / kPairPad,         blocks};
+    batch.begin[0] = 0;
+    batch.own_end[0] = static_cast<Index>(own / kPairPad);
+    batch.begin[1] = static_cast<Index>(blocks);
+    set_histories(batch, histories);
+    PairScratch<Real> scratch;
+    push_tile_pairs(choose_kernels<Real>(), step, particles(), batch, 0, rows, scratch, tally);
   }
-  void set_history(std::size_t k, const twin::History& h) {
-    for (std::size_t a = 0; a < 3; ++a) {
-      const Eigen::Index e = static_cast<Eigen::Index>(a);
-      batch.number(k, a) = static_cast<Real>(h.spring[e]);
-      batch.number(k, 3 + a) = static_cast<Real>(h.force[e]);
-      if (batch.rolling) batch.number(k, 6 + a) = static_cast<Real>(h.moment[e]);
-    }
-  }
-  twin::History history(std::size_t k) const {
+  void set_history(std::size_t k, const twin::History& h) { histories[k] = rounded<Real>(h); }
+  const twin::History& history(std::size_t k) const { return histories[k]; }
+  // After the step.
+  twin::History history_now(std::size_t k) const {
+    const PairBatch<Real>& now = batch;
     const auto at = [&](std::size_t first) {
-      return Vec3(static_cast<double>(batch.number(k, first)),
-                  static_cast<double>(batch.number(k, first + 1)),
-                  static_cast<double>(batch.number(k, first + 2)));
+      return Vec3(static_cast<double>(now.number(0, k, first)),
+                  static_cast<double>(now.number(0, k, first + 1)),
+                  static_cast<double>(now.number(0, k, first + 2)));
     };
     return {at(0), at(3), batch.rolling ? at(6) : Vec3::Zero()};
   }

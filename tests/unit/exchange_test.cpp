@@ -58,7 +58,7 @@ Springs springs_of(const World<Real>& world, const std::vector<Index>& name) {
       if (!world.pairs.is_open(slot)) return;
       std::vector<double>& row = all.pairs[{name_of(i), name_of(j)}];
       for (std::size_t k = 0; k < world.pairs.history(); ++k) {
-        row.push_back(static_cast<double>(world.pairs.number(slot, k)));
+        row.push_back(static_cast<double>(world.pairs.number(t, slot, k)));
       }
     });
   }

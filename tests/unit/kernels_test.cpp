@@ -46,11 +46,10 @@ void check_pairs(const CaseOptions& o, std::size_t count, std::size_t own, unsig
   }
   Rows rows(2 * count);
   ContactTally got;
-  choose_kernels<Real>().pairs(step, cases.particles(), cases.view(own),
-                               rows.tile(0, static_cast<Index>(2 * count)), got);
+  cases.push(own, step, rows.tile(0, static_cast<Index>(2 * count)), got);
   for (std::size_t k = 0; k < count; ++k) {
     const twin::Response& r = expected[k];
-    const twin::History now = cases.history(k);
+    const twin::History now = cases.history_now(k);
     expect_vector("spring", now.spring, r.spring, r.spring_error);
     expect_vector("force", now.force, r.force, r.force_error);
     if (o.rolling) expect_vector("moment", now.moment, r.moment, r.moment_error);
@@ -132,13 +131,11 @@ TYPED_TEST(KernelTwins, OfACrossTileContactHaveTheSameBitsInBothTiles) {
       Rows rows_here(2 * kMostContacts), rows_there(2 * kMostContacts);
       ContactTally tally_here, tally_there;
       const Index size = 2 * kMostContacts;
-      choose_kernels<Real>().pairs(step, here.particles(), here.view(here.slots),
-                                   rows_here.tile(0, size), tally_here);
-      choose_kernels<Real>().pairs(step, there.particles(), there.view(0),
-                                   rows_there.tile(1, size - 1), tally_there);
+      here.push(here.slots, step, rows_here.tile(0, size), tally_here);
+      there.push(0, step, rows_there.tile(1, size - 1), tally_there);
       EXPECT_EQ(tally_there.contacts, 0) << "imported contacts are not tallied";
       for (std::size_t k = 0; k < kMostContacts; ++k) {
-        const twin::History a = here.history(k), b = there.history(slot[k]);
+        const twin::History a = here.history_now(k), b = there.history_now(slot[k]);
         EXPECT_EQ(a.spring, b.spring);
         EXPECT_EQ(a.force, b.force);
         EXPECT_EQ(a.moment, b.moment);
@@ -159,33 +156,33 @@ TYPED_TEST(KernelTwins, OfBlocksOfTwoRowsAddUp) {
       const RandomLaw<Real> law(o, ++seed);
       const StepConstants<Real> step = test::constants(o, law);
       PairCases<Real> cases(kMostContacts, o, law, seed);
-      cases.view(cases.slots);
+      Rows rows(2 * kMostContacts), rows_twice(2 * kMostContacts);
+      ContactTally tally, tally_twice;
+      cases.push(cases.slots, step, rows.tile(0, 2 * kMostContacts), tally);
       const PairBatch<Real>& once = cases.batch;
       PairBatch<Real> twice;
       twice.rolling = o.rolling;
       twice.reset(once.blocks(), 2 * once.blocks());
+      twice.begin.reset(2);
+      twice.own_end.reset(1);
+      twice.begin[0] = 0;
+      twice.own_end[0] = twice.begin[1] = static_cast<Index>(once.blocks());
       std::copy(once.owner.begin(), once.owner.end(), twice.owner.begin());
       for (std::size_t b = 0; b <= once.blocks(); ++b) {
         twice.row_begin[b] = static_cast<Index>(2 * b);
       }
+      std::vector<twin::History> histories(2 * once.slots());
       for (std::size_t slot = 0; slot < once.slots(); ++slot) {
         const std::size_t to = slot / kPairPad * 2 * kPairPad + slot % kPairPad;
         for (const std::size_t copy : {to, to + kPairPad}) {
           twice.partner[copy] = once.partner[slot];
-          for (std::size_t k = 0; k < once.history(); ++k) {
-            twice.number(copy, k) = once.number(slot, k);
-          }
+          histories[copy] = cases.history(slot);
         }
       }
-      Rows rows(2 * kMostContacts), rows_twice(2 * kMostContacts);
-      ContactTally tally, tally_twice;
-      const Kernels<Real> kernels = choose_kernels<Real>();
-      kernels.pairs(step, cases.particles(), cases.view(cases.slots),
-                    rows.tile(0, 2 * kMostContacts), tally);
-      const PairView<Real> view = {twice.owner.data(),   twice.row_begin.data(), twice.partner.data(),
-                                   twice.numbers.data(), twice.blocks(),         twice.blocks()};
-      kernels.pairs(step, cases.particles(), view, rows_twice.tile(0, 2 * kMostContacts),
-                    tally_twice);
+      test::set_histories(twice, histories);
+      PairScratch<Real> scratch;
+      push_tile_pairs(choose_kernels<Real>(), step, cases.particles(), twice, 0,
+                      rows_twice.tile(0, 2 * kMostContacts), scratch, tally_twice);
       for (std::size_t k = 0; k < 2 * kMostContacts * kRowWidth; ++k) {
         EXPECT_EQ(rows_twice.rows[k], 2 * rows.rows[k]);
       }
@@ -219,11 +216,10 @@ TYPED_TEST(KernelTwins, OfExchangedPartnersAreOpposite) {
       Rows rows(2 * kMostContacts);
       ContactTally tally;
       for (PairCases<Real>* cases : {&one, &two}) {
-        choose_kernels<Real>().pairs(step, cases->particles(), cases->view(cases->slots),
-                                     rows.tile(0, 2 * kMostContacts), tally);
+        cases->push(cases->slots, step, rows.tile(0, 2 * kMostContacts), tally);
       }
       for (std::size_t k = 0; k < kMostContacts; ++k) {
-        expect_vector("force", two.history(k).force, -one.history(k).force, 2 * error[k]);
+        expect_vector("force", two.history_now(k).force, -one.history_now(k).force, 2 * error[k]);
       }
     }
   });

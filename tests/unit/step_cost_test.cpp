@@ -27,24 +27,27 @@ struct Pair {
   double pairs() const { return cost.listed[static_cast<std::size_t>(Stage::kSpherePairs)]; }
 };
 
-constexpr double kLists = 16 * 4 + 2 * 4 + 16 * 4;  // of one row: owners, begin and end, partners
-constexpr double kHistoryOfRow = 16 * 6 * 4;
+// Of one row: owners, begin and end, partners, open slots read and written, the first contact.
+constexpr double kLists = 16 * 4 + 2 * 4 + 16 * 4 + 2 * 2 + 4;
+constexpr double kHistory = 6 * 4;  // of a contact
 
-TEST(StepCost, OfATouchingPairIsOneRowReadAndWritten) {
+TEST(StepCost, OfATouchingPairIsARowAndAHistoryReadAndWritten) {
   const Pair pair(1.99, 512);
   EXPECT_EQ(pair.pairs(), 1);
   EXPECT_EQ(pair.cost.slots, 16);
-  EXPECT_EQ(pair.bytes(Stage::kSpherePairs), kLists + 2 * kHistoryOfRow);
+  EXPECT_EQ(pair.bytes(Stage::kSpherePairs), kLists + 2 * kHistory);
   EXPECT_EQ(pair.bytes(Stage::kMotion), 2 * (2 * (64 + 8 + 24) + 24 + 12 + 4));
   EXPECT_EQ(pair.bytes(Stage::kSphereWalls), 0);
-  EXPECT_EQ(pair.cost.operations.real, kOfTouchingSlot.real + kOfDamping.real);
-  EXPECT_EQ(pair.cost.operations.f64, kOfTouchingSlot.f64 + 2 * kOfMotion.f64);
+  EXPECT_EQ(pair.cost.operations.real,
+            kOfIdleSlot.real + kOfTouchingSlot.real + kOfDamping.real);
+  EXPECT_EQ(pair.cost.operations.f64,
+            kOfIdleSlot.f64 + kOfTouchingSlot.f64 + 2 * kOfMotion.f64);
 }
 
-TEST(StepCost, OfAnIdlePairIsOneRowRead) {
+TEST(StepCost, OfAnIdlePairIsARow) {
   const Pair pair(2.01, 512);
   EXPECT_EQ(pair.pairs(), 1);
-  EXPECT_EQ(pair.bytes(Stage::kSpherePairs), kLists + kHistoryOfRow);
+  EXPECT_EQ(pair.bytes(Stage::kSpherePairs), kLists);
   EXPECT_EQ(pair.cost.operations.real, kOfIdleSlot.real);
   EXPECT_EQ(pair.cost.operations.f64, kOfIdleSlot.f64 + 2 * kOfMotion.f64);
 }
@@ -53,8 +56,8 @@ TEST(StepCost, OfAPairInTwoTilesIsPaidInBoth) {
   const Pair pair(1.99, 1);
   EXPECT_EQ(pair.pairs(), 1);
   EXPECT_EQ(pair.cost.slots, 32);
-  EXPECT_EQ(pair.bytes(Stage::kSpherePairs), 2 * (kLists + 2 * kHistoryOfRow) - 4);
-  EXPECT_EQ(pair.cost.operations.real, 2 * (kOfTouchingSlot.real + kOfDamping.real));
+  EXPECT_EQ(pair.bytes(Stage::kSpherePairs), 2 * (kLists + 2 * kHistory) - 4);
+  EXPECT_EQ(pair.cost.operations.real, 2 * (kOfIdleSlot.real + kOfTouchingSlot.real + kOfDamping.real));
 }
 
 TEST(StepCost, OfRollingFrictionIsAWiderHistoryAndMoreArithmetic) {
@@ -62,16 +65,17 @@ TEST(StepCost, OfRollingFrictionIsAWiderHistoryAndMoreArithmetic) {
   law.rolling = 0.1;
   law.tangential_damping = false;
   const Pair pair(1.99, 512, law);
-  EXPECT_EQ(pair.bytes(Stage::kSpherePairs), kLists + 2 * 1.5 * kHistoryOfRow);
-  EXPECT_EQ(pair.cost.operations.real, kOfTouchingSlot.real + kOfRolling.real);
+  EXPECT_EQ(pair.bytes(Stage::kSpherePairs), kLists + 2 * 1.5 * kHistory);
+  EXPECT_EQ(pair.cost.operations.real,
+            kOfIdleSlot.real + kOfTouchingSlot.real + kOfRolling.real);
 }
 
 TEST(StepCost, OfARebuildGrowsWithParticlesAndSlots) {
   const Pair near(1.99, 512), apart(6, 512);
   EXPECT_EQ(apart.cost.slots, 0);
   EXPECT_GT(apart.cost.rebuild_bytes, 2 * 2 * (64 + 8 + 24 + 24 + 12 + 4));
-  // A pair found, and sixteen slots of partner and history.
-  EXPECT_EQ(near.cost.rebuild_bytes - apart.cost.rebuild_bytes, 2 * (16 + 16 * 4 + kHistoryOfRow));
+  // A pair found, sixteen slots of partners and one history.
+  EXPECT_EQ(near.cost.rebuild_bytes - apart.cost.rebuild_bytes, 2 * (16 + 16 * 4 + kHistory));
 }
 
 TEST(StepCost, SharesAddUpToAMean) {
@@ -81,7 +85,7 @@ TEST(StepCost, SharesAddUpToAMean) {
   mean.add(idle.cost, 0.5);
   EXPECT_EQ(mean.slots, 16);
   EXPECT_EQ(mean.bytes[static_cast<std::size_t>(Stage::kSpherePairs)],
-            kLists + 1.5 * kHistoryOfRow);
+            kLists + kHistory);
 }
 
 }  // namespace

@@ -1,0 +1,22 @@
+// The sphere-sphere contacts of one tile in one step: who touches, then the law over all that do.
+#pragma once
+
+#include "kernels/contact.h"
+#include "soa/pairs.h"
+
+namespace quern {
+
+// Memory of a worker, kept from tile to tile.
+template <class Real>
+struct PairScratch {
+  Column<Index> i, j, state;   // of FoundPairs
+  ContactHistory<Real> spare;  // takes the new histories, and is then the old ones of that tile
+};
+
+// Adds forces to the rows and to `tally`; the tile's open slots and histories become those of now.
+template <class Real>
+void push_tile_pairs(const Kernels<Real>& kernels, const StepConstants<Real>& step,
+                     const ParticleView<Real>& particles, PairBatch<Real>& pairs, std::size_t tile,
+                     const TileRows& rows, PairScratch<Real>& scratch, ContactTally& tally);
+
+}  // namespace quern
