@@ -1,6 +1,6 @@
-// Strays: spheres that have left the straight line which the lists were made for by more than they
-// may. One of a hundred thousand is hit hard in every other step; the lists are good for all
-// others.
+// Strays: spheres and polyhedra that have left the straight line which the lists were made for by
+// more than they may, or turned by more. One of a hundred thousand is hit hard in every other step;
+// the lists are good for all others.
 //
 // A stray is given a new line, from where it is with the velocity it has, and the largest allowance
 // with which no pair and no facet that the lists lack comes within reach while they live. Only
@@ -17,8 +17,8 @@ namespace quern {
 template <class Real>
 class Relister {
  public:
-  // The spheres of these tiles that strayed; places are those after the step, whose clock has moved
-  // on. Returns whether the lists are complete again.
+  // The spheres of these tiles, and the polyhedra, that strayed; places are those after the step,
+  // whose clock has moved on. Returns whether the lists are complete again.
   bool relist(World<Real>& world, const std::vector<std::size_t>& tiles);
   void forget() { groups_.clear(); }  // the lists are new
 
@@ -29,17 +29,35 @@ class Relister {
     double speed, reach;
   };
   struct Line {
-    Index particle;
+    Index particle;        // or polyhedron
     Vec3 place, velocity;  // of now, the velocity rounded to f32
-    double radius, allowance;
+    double radius;         // or reach of a polyhedron about its place
+    double allowance;
+  };
+  // How near two lines come while the lists live, at least, whichever images are taken.
+  struct Meeting {
+    Vec3 apart;  // now, nearest image
+    double distance;
+    bool nearest_only;  // no other image comes as near
   };
 
+  void find_strays(const World<Real>& world, const std::vector<std::size_t>& tiles);
   void enclose(const World<Real>& world, std::size_t group);
+  Line line_of_sphere(const World<Real>& world, std::size_t k) const;
+  Line line_of_body(const World<Real>& world, std::size_t k) const;
+  Meeting meet(const World<Real>& world, const Line& a, const Line& b) const;
+  double plane_gap(const World<Real>& world, Index body, const Line& sphere, const Line& line,
+                   const Meeting& meeting, double turn) const;
+  template <class Visit>
+  void for_spheres_near(const World<Real>& world, const Line& stray, const Visit& visit) const;
   double room_among_spheres(const World<Real>& world, const Line& stray) const;
-  bool relist_one(World<Real>& world, std::size_t k);
+  double room_among_bodies(const World<Real>& world, const Line& stray) const;
+  bool relist_sphere(World<Real>& world, std::size_t k);
+  bool relist_body(World<Real>& world, std::size_t k);
 
   std::vector<Group> groups_;
-  double elapsed_ = 0, remaining_ = 0;  // s
+  std::vector<std::size_t> spheres_, bodies_;  // strays
+  double elapsed_ = 0, remaining_ = 0;         // s
 };
 
 }  // namespace quern

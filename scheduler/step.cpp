@@ -287,10 +287,9 @@ StepReport Stepper<Real>::judge() const {
   return report;
 }
 
-// Whether the strays have new lines and the lists are complete; polyhedra have none to themselves.
+// Whether the strays have new lines and the lists are complete.
 template <class Real>
 bool Stepper<Real>::relist_strays() {
-  if (bodies_) return false;
   std::vector<std::size_t> tiles;
   for (std::size_t tile = 0; tile < tile_totals_.size(); ++tile) {
     if (tile_totals_[tile].move.strays > 0) tiles.push_back(tile);
