@@ -44,8 +44,8 @@ struct GridLevel {
   double reach = 0;         // m, largest radius + half path + slack of an entry
   std::array<double, 3> low{};
   std::array<int, 3> count{};
-  Column<Index> begin;                      // cells + 1
-  Column<Index> particle;                   // index in the current order
+  Column<Index> begin;     // cells + 1
+  Column<Index> particle;  // index in the current order
   Column<float> x, y, z, vx, vy, vz;
   Column<float> reach_of, radius;  // reach of each entry: radius + half path
 
@@ -84,10 +84,8 @@ struct StagedEntry {
 struct SearchGrid {
   std::vector<GridLevel> levels;
   double smallest_radius = 0;
-  double margin = 0;  // m, rounding of the f32 positions
-  // Working memory of build_grid().
-  Column<StagedEntry> staged;
-  std::vector<Index> begin;
+  double margin = 0;         // m, rounding of the f32 positions
+  std::vector<Index> begin;  // working memory of build_grid()
 };
 
 // What the search looks at of a random partner, in one cache line.

@@ -229,13 +229,13 @@ void build_grid(const SearchInput& in, SearchGrid& grid, const RunTasks& run) {
     for_entries(chunk, [&](std::size_t at, const StagedEntry&) { ++begin[at + 1]; });
   });
   for (std::size_t k = 1; k < begin.size(); ++k) begin[k] += begin[k - 1];
-  grid.staged.reset(begin.back());
+  Column<StagedEntry> staged;
+  staged.reset(begin.back());
   run(parts, [&](std::size_t chunk) {
     std::vector<Index> to(slabs);
     for (std::size_t slab = 0; slab < slabs; ++slab) to[slab] = begin[slab * parts + chunk];
-    for_entries(chunk, [&](std::size_t at, const StagedEntry& entry) {
-      grid.staged[to[at / parts]++] = entry;
-    });
+    for_entries(
+        chunk, [&](std::size_t at, const StagedEntry& entry) { staged[to[at / parts]++] = entry; });
   });
   std::vector<std::size_t> level_of_slab(slabs, levels - 1);
   for (std::size_t l = 0; l < levels; ++l) {
@@ -255,7 +255,7 @@ void build_grid(const SearchInput& in, SearchGrid& grid, const RunTasks& run) {
   run(slabs, [&](std::size_t slab) {
     const std::size_t l = level_of_slab[slab];
     const Index first = begin[slab * parts];
-    fill_slab(in, plan[l], slab - plan[l].first_slab, grid.staged.data() + first,
+    fill_slab(in, plan[l], slab - plan[l].first_slab, staged.data() + first,
               begin[(slab + 1) * parts] - first, first - begin[plan[l].first_slab * parts],
               grid.levels[l]);
   });

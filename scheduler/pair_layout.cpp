@@ -156,6 +156,11 @@ struct Filler {
 
 }  // namespace
 
+void make_room(TilePairs& pairs) {
+  pairs.own.clear();
+  pairs.own.reserve(pairs.last_own + pairs.last_own / 8);
+}
+
 void find_leaving(std::size_t tile, std::size_t tiles, Index tile_size, TilePairs& pairs) {
   std::vector<Index> begin(tiles + 1, 0);
   for (const CandidatePair& p : pairs.own) ++begin[p.j / tile_size + 1];
@@ -185,7 +190,9 @@ void address_runs(std::vector<TilePairs>& tiles) {
 
 void import_pairs(std::vector<TilePairs>& tiles, std::size_t tile) {
   TilePairs& pairs = tiles[tile];
-  pairs.imported.clear();
+  std::size_t count = 0;
+  for (const TilePairs::Run& run : pairs.from) count += run.end - run.begin;
+  pairs.imported.reserve(count);
   for (const TilePairs::Run& run : pairs.from) {
     const TilePairs& other = tiles[run.tile];
     for (Index k = run.begin; k < run.end; ++k) {
@@ -197,12 +204,15 @@ void import_pairs(std::vector<TilePairs>& tiles, std::size_t tile) {
 void plan_blocks(const Column<float>& allowance, Index first, Index size, TilePairs& pairs) {
   arrange<true>(allowance, first, size, pairs.own, pairs.own_plan);
   arrange<false>(allowance, first, size, pairs.imported, pairs.imported_plan);
+  pairs.last_own = pairs.own.size();
+  std::vector<CandidatePair>().swap(pairs.own);
+  std::vector<CandidatePair>().swap(pairs.imported);
 }
 
 template <class Real>
 void lay_out_pairs(World<Real>& world, Graph& graph, const std::vector<TilePairs>& tiles,
                    const std::vector<Index>& old_of_new, PairLayout<Real>& layout) {
-  PairBatch<Real>& fresh = layout.pairs;
+  PairBatch<Real> fresh;
   fresh.rolling = world.rolling;
   fresh.begin.reset(tiles.size() + 1);
   fresh.own_end.reset(tiles.size());
@@ -235,7 +245,7 @@ void lay_out_pairs(World<Real>& world, Graph& graph, const std::vector<TilePairs
   fresh.contacts.resize(tiles.size());
   const Filler<Real> filler = {world.pairs, layout, old_of_new, fresh, p};
   graph.for_each(tiles.size(), [&](std::size_t tile, int) { filler.fill(tile, tiles[tile]); });
-  std::swap(world.pairs, fresh);
+  world.pairs = std::move(fresh);
 }
 
 template void lay_out_pairs(World<float>&, Graph&, const std::vector<TilePairs>&,

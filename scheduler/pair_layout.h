@@ -32,7 +32,12 @@ struct TilePairs {
   std::vector<Index> leaving;  // rows of `own`, by the partner's tile
   std::vector<Run> to, from;
   BlockPlan own_plan, imported_plan;
+  std::size_t last_own = 0;  // how many `own` there were last time
 };
+
+// Empties a tile for the next search. Vectors double as they grow: there will be about as many
+// pairs as last time.
+void make_room(TilePairs& pairs);
 
 // Sorts out which of a tile's own pairs have their partner in another tile.
 void find_leaving(std::size_t tile, std::size_t tiles, Index tile_size, TilePairs& pairs);
@@ -43,13 +48,12 @@ void address_runs(std::vector<TilePairs>& tiles);
 void import_pairs(std::vector<TilePairs>& tiles, std::size_t tile);
 
 // Drops the pairs of a tile that its spheres' allowances keep apart, and plans the blocks of the
-// others.
+// others. What was found is given back: only the plan is needed from here on.
 void plan_blocks(const Column<float>& allowance, Index first, Index size, TilePairs& pairs);
 
 // Working memory, kept from rebuild to rebuild.
 template <class Real>
 struct PairLayout {
-  PairBatch<Real> pairs;               // the old ones after a rebuild
   Column<Index> old_first, old_count;  // pair_first and pair_count of the old batch
 };
 

@@ -95,12 +95,9 @@ void permute_particles(World<Real>& world, Graph& graph, const std::vector<Index
     });
     std::swap(column, sorted);
   };
-  // The step writes all of the next records: meanwhile their place is free.
-  p.record_next.release();
 #define QUERN_PERMUTE(type, name, unit, doc) permute(p.name);
   QUERN_PARTICLE_FIELDS(QUERN_PERMUTE)
 #undef QUERN_PERMUTE
-  p.reset_next();
 }
 
 // Sorts the particles, or leaves them where they are: old_of_new and new_of_old say who went where.
@@ -196,6 +193,9 @@ void rebuild(World<Real>& world, Graph& graph, RebuildScratch<Real>& s) {
     world.tile_walls.clear();
     return;
   }
+  // The step writes all of the next records: the points have their place meanwhile.
+  world.particles.record_next.release();
+  world.particles.traits_next.release();
   const std::size_t points = n + (polyhedra ? world.polyhedra.size() : 0);
   s.points.reset(points);
   s.speed.assign(n, 0);
@@ -223,7 +223,7 @@ void rebuild(World<Real>& world, Graph& graph, RebuildScratch<Real>& s) {
   };
   graph.for_each(tiles, [&](std::size_t tile, int) {
     TilePairs& pairs = s.pairs[tile];
-    pairs.own.clear();
+    make_room(pairs);
     find_candidates(in, s.grid, first_of(tile), first_of(tile) + size_of(tile), pairs.own);
     if (polyhedra) take_near_spheres(n, pairs.own, s.bodies.near[tile]);
     find_leaving(tile, tiles, world.tile_size, pairs);
@@ -246,6 +246,8 @@ void rebuild(World<Real>& world, Graph& graph, RebuildScratch<Real>& s) {
     plan_blocks(world.particles.list_allowance, first_of(tile), size_of(tile), s.pairs[tile]);
   });
   lay_out_pairs(world, graph, s.pairs, s.old_of_new, s.layout);
+  s.points.release();
+  world.particles.reset_next();
   world.clock.list_step = world.clock.total_steps;
   world.clock.list_stale = 0;
   ++world.clock.rebuilds;

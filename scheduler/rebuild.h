@@ -27,7 +27,8 @@ struct Bounds {
   }
 };
 
-// Working memory, kept from rebuild to rebuild: fresh pages cost as much as a search.
+// Working memory, most of it kept from rebuild to rebuild: fresh pages cost as much as a search.
+// The points take turns with the records of the next step.
 template <class Real>
 struct RebuildScratch {
   std::vector<CurveKey> keys;

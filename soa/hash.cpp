@@ -53,19 +53,22 @@ void add_particles(const World<Real>& world, Hasher& h) {
 template <class Real>
 void add_pairs(const World<Real>& world, Hasher& h) {
   const PairBatch<Real>& pairs = world.pairs;
-  using Part = typename PairBatch<Real>::Part;
-  std::vector<Key> keys;
-  for (std::size_t tile = 0; tile + 1 < pairs.begin.size(); ++tile) {
-    pairs.for_each(tile, Part::kOwn, [&](std::size_t slot, Index i, Index j) {
+  struct PairKey {  // identities: there are many
+    Index i, j, slot;
+  };
+  std::vector<PairKey> keys;
+  for (std::size_t tile = 0; tile < pairs.tiles(); ++tile) {
+    pairs.for_each(tile, PairBatch<Real>::Part::kOwn, [&](std::size_t slot, Index i, Index j) {
       if (!pairs.is_open(slot)) return;
-      keys.push_back({world.particles.id[i], world.particles.id[j], static_cast<Index>(slot),
-                      static_cast<Index>(tile)});
+      keys.push_back({world.particles.id[i], world.particles.id[j], static_cast<Index>(slot)});
     });
   }
-  std::sort(keys.begin(), keys.end());
-  for (const Key& key : keys) {
-    h.add(key.a << 32 | key.b);
-    for (std::size_t k = 0; k < pairs.history(); ++k) h.add(pairs.number(key.tile, key.slot, k));
+  std::sort(keys.begin(), keys.end(),
+            [](const PairKey& a, const PairKey& b) { return a.i != b.i ? a.i < b.i : a.j < b.j; });
+  for (const PairKey& key : keys) {
+    h.add(std::uint64_t{key.i} << 32 | key.j);
+    const std::size_t tile = pairs.tile_of(key.slot);
+    for (std::size_t k = 0; k < pairs.history(); ++k) h.add(pairs.number(tile, key.slot, k));
   }
 }
 
