@@ -59,7 +59,7 @@ SCENES = {
                  Agreement(0.2, 1e-3), at_rest=True),
     "mix_bed": Scene(states.Column(16, 0.6, 0.5, 3.8, 16), states.Column(100, 0.31, 0.31, 2.0, 2),
                      600, 100, 100, Agreement(0.3, 0.01)),
-    "sag_slice_sp": Scene(states.Size(turn=0.5), states.Size(40, turn=0.3), 600, 100, 1000,
+    "sag_slice_sp": Scene(states.Size(turn=0.5), states.Size(40, turn=0.3), 600, 200, 1000,
                           Agreement(0.2, 0.03, 0.2), cylinder=True),
     "lab_mill_reference": Scene(states.Size(turn=2.0), states.Size(turn=0.2), 10000, 10000, 10000,
                                 Agreement(0.3, 0.15, 0.15), cylinder=True),
