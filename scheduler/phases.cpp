@@ -18,7 +18,7 @@ constexpr int kStiffenStages = 48;          // so many that a stage releases a t
 constexpr double kStiffenDrag = 60;         // 1/s: the bed swings, and falls together again, slowly
 constexpr double kRelaxTrueLawTime = 0.05;  // s, the end of every relaxing
 constexpr double kRelaxDrag = 20;           // 1/s
-constexpr double kRelaxFriction = 0.3;      // of the scene's, while overlaps are capped
+constexpr double kRelaxFriction = 0.3;  // of the scene's, while overlaps of polyhedra are capped
 constexpr double kFirstCap = 1e-4, kLastCap = 1e-2;  // of the smallest polyhedron's radius
 constexpr int kRelaxStages = 32;
 
@@ -110,10 +110,11 @@ void enter_phase(World<Real>& world, const Scene& scene, const std::vector<Phase
                  std::size_t row) {
   const PhasePlan& phase = plan.at(row);
   Clock& clock = world.clock;
-  // With a drag, that is, outside the true law, what swings sideways is to come to rest as well; what
-  // stands deep in others is to slip out instead of wedging.
+  // With a drag, that is, outside the true law, what swings sideways is to come to rest as well;
+  // what stands deep in others is to slip out instead of wedging.
   set_law(world, scene,
-          {phase.stiffness, phase.drag > 0, phase.overlap_cap > 0 ? kRelaxFriction : 1});
+          {phase.stiffness, phase.drag > 0,
+           phase.overlap_cap > 0 && !world.polyhedra.empty() ? kRelaxFriction : 1});
   world.drag = std::exp(-phase.drag * phase.dt);
   world.overlap_cap = phase.overlap_cap * smallest_polyhedron(world);
   world.moving_walls = phase.kind == Phase::kRun;

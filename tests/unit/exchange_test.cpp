@@ -262,9 +262,16 @@ TYPED_TEST(Exchange, IsRelaxedUnderACapOfTheSmallestPolyhedron) {
   EXPECT_EQ(world.overlap_cap, plan[0].overlap_cap * smallest);
   EXPECT_LT(world.drag, 1);
   EXPECT_FALSE(world.moving_walls);
+  const double friction = this->scene_.contact.sliding_friction.value();
+  EXPECT_LT(static_cast<double>(world.law.sliding_friction[0]), friction);
   enter_phase(world, this->scene_, plan, plan.size() - 2);
   EXPECT_EQ(world.overlap_cap, 0);
   EXPECT_EQ(world.drag, 1);
+  EXPECT_EQ(world.law.sliding_friction[0], static_cast<TypeParam>(friction));
+  // Spheres alone stand at the friction they have: at a lower one a bed at rest would move again.
+  World<TypeParam> spheres = world_of<TypeParam>(box_scene(ShapeKind::kSphere));
+  enter_phase(spheres, this->scene_, plan, 0);
+  EXPECT_EQ(spheres.law.sliding_friction[0], static_cast<TypeParam>(friction));
 }
 
 // The largest speed of any point (m/s).
