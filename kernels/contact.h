@@ -55,18 +55,18 @@ struct PairView {
   const Index* owner;      // kPairPad a block
   const Index* row_begin;  // blocks + 1, into the rows of the batch
   const Index* partner;    // kPairPad a row
-  std::uint16_t* open;     // of each row, a bit a lane: touched in the last step; in this one on return
+  std::uint16_t* open;     // of each row, bits of lanes: who touched a step ago; on return, now
   Index* first_contact;    // of each row, out
   std::size_t own, all;    // blocks
 };
 
-// Pairs of a tile that touch or did so in the last step, in the order of its rows and lanes. Own ones come
-// first; each part is padded to kPairPad by lanes of a particle with itself. Room for all slots of the
-// tile and kPairPad more.
+// Pairs of a tile that touch or did so in the last step, in the order of its rows and lanes. Own
+// ones come first; each part is padded to kPairPad by lanes of a particle with itself. Room for all
+// slots of the tile and kPairPad more.
 struct FoundPairs {
-  Index *i, *j, *state;         // state: kTouches, kDidTouch
+  Index *i, *j, *state;  // state: kTouches, kDidTouch
   std::size_t own = 0, imported = 0;
-  std::size_t touching = 0;     // of both parts
+  std::size_t touching = 0;  // of both parts
   std::size_t imported_begin() const { return (own + kPairPad - 1) / kPairPad * kPairPad; }
 };
 inline constexpr Index kTouches = 1, kDidTouch = 2;

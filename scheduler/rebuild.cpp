@@ -141,14 +141,15 @@ void note_lines(World<Real>& world, Graph& graph, SearchPoint* points) {
 }
 
 template <class Real>
-SearchInput search_input(const World<Real>& world, RebuildScratch<Real>& s, std::size_t points) {
+SearchInput search_input(const World<Real>& world, const RebuildScratch<Real>& s,
+                         Column<SearchPoint>& point) {
   SearchInput in{};
-  in.count = points;
-  in.point = s.points.data();
+  in.count = point.size();
+  in.point = point.data();
   in.window = static_cast<double>(world.clock.list_window) * world.clock.dt;
   in.slack = world.clock.slack;
   Bounds box = together(s.bounds);
-  for (std::size_t k = world.particles.size(); k < points; ++k) {
+  for (std::size_t k = world.particles.size(); k < point.size(); ++k) {
     box.add(Vec3(in.point[k].x[0], in.point[k].x[1], in.point[k].x[2]));
   }
   for (std::size_t a = 0; a < 3; ++a) {
@@ -196,19 +197,19 @@ void rebuild(World<Real>& world, Graph& graph, RebuildScratch<Real>& s) {
   // The step writes all of the next records: the points have their place meanwhile.
   world.particles.record_next.release();
   world.particles.traits_next.release();
-  const std::size_t points = n + (polyhedra ? world.polyhedra.size() : 0);
-  s.points.reset(points);
+  Column<SearchPoint> point;  // of spheres, then of polyhedra
+  point.reset(n + (polyhedra ? world.polyhedra.size() : 0));
   s.speed.assign(n, 0);
   s.bounds.clear();
   if (n > 0) {
     wrap_positions(world, graph, s);
     order_particles(world, graph, s);
-    note_lines(world, graph, s.points.data());
+    note_lines(world, graph, point.data());
     carry_wall_springs(world, s.new_of_old);
   }
-  if (polyhedra) add_points(world, s.points.data() + n);
+  if (polyhedra) add_points(world, point.data() + n);
 
-  const SearchInput in = search_input(world, s, points);
+  const SearchInput in = search_input(world, s, point);
   build_grid(in, s.grid, [&](std::size_t count, const std::function<void(std::size_t)>& task) {
     graph.for_each(count, [&](std::size_t k, int) { task(k); });
   });
@@ -246,7 +247,7 @@ void rebuild(World<Real>& world, Graph& graph, RebuildScratch<Real>& s) {
     plan_blocks(world.particles.list_allowance, first_of(tile), size_of(tile), s.pairs[tile]);
   });
   lay_out_pairs(world, graph, s.pairs, s.old_of_new, s.layout);
-  s.points.release();
+  point.release();
   world.particles.reset_next();
   world.clock.list_step = world.clock.total_steps;
   world.clock.list_stale = 0;

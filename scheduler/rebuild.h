@@ -27,13 +27,11 @@ struct Bounds {
   }
 };
 
-// Working memory, most of it kept from rebuild to rebuild: fresh pages cost as much as a search.
-// The points take turns with the records of the next step.
+// Working memory, kept from rebuild to rebuild: fresh pages cost as much as a search.
 template <class Real>
 struct RebuildScratch {
   std::vector<CurveKey> keys;
   std::vector<Index> old_of_new, new_of_old;
-  Column<SearchPoint> points;  // of spheres, then of polyhedra
   std::vector<Bounds> bounds;  // of the spheres, per chunk
   SearchGrid grid;
   std::vector<TilePairs> pairs;

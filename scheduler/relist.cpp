@@ -151,21 +151,23 @@ void Relister<Real>::enclose(const World<Real>& world, std::size_t group) {
 }
 
 template <class Real>
+template <class Columns>
+typename Relister<Real>::Line Relister<Real>::line_of(const Columns& p, std::size_t k,
+                                                      double radius) const {
+  const Vec3 v = line_velocity(p, k);
+  return {static_cast<Index>(k), line_place(p, k) + elapsed_ * v, v, radius,
+          static_cast<double>(p.list_allowance[k])};
+}
+template <class Real>
 typename Relister<Real>::Line Relister<Real>::line_of_sphere(const World<Real>& world,
                                                              std::size_t k) const {
-  const Particles<Real>& p = world.particles;
-  const Vec3 v = line_velocity(p, k);
-  return {static_cast<Index>(k), line_place(p, k) + elapsed_ * v, v,
-          static_cast<double>(p.record[k].radius), static_cast<double>(p.list_allowance[k])};
+  return line_of(world.particles, k, static_cast<double>(world.particles.record[k].radius));
 }
 template <class Real>
 typename Relister<Real>::Line Relister<Real>::line_of_body(const World<Real>& world,
                                                            std::size_t k) const {
   const Polyhedra<Real>& p = world.polyhedra;
-  const Vec3 v = line_velocity(p, k);
-  return {static_cast<Index>(k), line_place(p, k) + elapsed_ * v, v,
-          p.scale[k] * world.shapes[p.shape[k]].bound_radius,
-          static_cast<double>(p.list_allowance[k])};
+  return line_of(p, k, p.scale[k] * world.shapes[p.shape[k]].bound_radius);
 }
 
 template <class Real>
@@ -249,12 +251,11 @@ double Relister<Real>::room_among_bodies(const World<Real>& world, const Line& s
   for (Index k = 0; k < p.size(); ++k) {
     const Line body = line_of_body(world, k);
     const Meeting meeting = meet(world, stray, body);
-    if (meeting.distance - stray.radius - body.radius - body.allowance >= room) continue;
-    if (is_near(world, stray.particle, k)) continue;
+    const double by_bounds = meeting.distance - stray.radius - body.radius - body.allowance;
+    if (by_bounds >= room || is_near(world, stray.particle, k)) continue;
     const double turn = static_cast<double>(p.list_turn[k]);
     const double by_planes = plane_gap(world, k, stray, body, meeting, turn) - body.allowance;
-    room = std::min(
-        room, std::max(by_planes, meeting.distance - stray.radius - body.radius - body.allowance));
+    room = std::min(room, std::max(by_bounds, by_planes));
   }
   return room;
 }

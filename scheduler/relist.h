@@ -43,6 +43,8 @@ class Relister {
 
   void find_strays(const World<Real>& world, const std::vector<std::size_t>& tiles);
   void enclose(const World<Real>& world, std::size_t group);
+  template <class Columns>
+  Line line_of(const Columns& p, std::size_t k, double radius) const;
   Line line_of_sphere(const World<Real>& world, std::size_t k) const;
   Line line_of_body(const World<Real>& world, std::size_t k) const;
   Meeting meet(const World<Real>& world, const Line& a, const Line& b) const;

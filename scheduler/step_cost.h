@@ -29,8 +29,8 @@ namespace quern {
 struct Operations {
   double real = 0, f64 = 0;  // in the precision of the law, in f64
 };
-// Estimates: counted in touching_bits(), sphere_sphere() and respond(), move_spheres(), for lanes that hold a
-// pair.
+// Estimates: counted in touching_bits(), sphere_sphere(), respond() and move_spheres(), for lanes
+// that hold a pair. A slot that touches is an idle one first.
 inline constexpr Operations kOfIdleSlot = {2, 14}, kOfTouchingSlot = {340, 28};
 inline constexpr Operations kOfDamping = {27, 0},
                             kOfRolling = {57, 0};  // besides, of a touching slot

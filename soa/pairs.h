@@ -9,8 +9,8 @@
 //            blocks [own_end[t] .. begin[t+1]) imported: the owner is j, i is in another tile; the
 //                                              contact is evaluated here too, from the same bits
 //   block b: owner[16 b .. 16 b + 16), rows [row_begin[b] .. row_begin[b+1])
-//   row r:   partner[16 r .. 16 r + 16); open[r] has a bit for each lane that touched in the last
-//   step
+//   row r:   partner[16 r .. 16 r + 16)
+//            open[r]: a bit for each lane that touched in the last step
 //
 // A slot is 16 r + lane; the slots of an owner are kPairPad apart. i is the partner with the
 // smaller radius, ties by lower identity, for life. Most slots do not touch: only contacts have a
