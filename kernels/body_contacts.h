@@ -19,7 +19,7 @@ struct BodyState {
   double mobility = 0;      // 1/(kg m^2), the largest inverse principal moment of inertia
   double contacts = 0;      // of the last step
   double radius = 1;        // m, of the sphere of equal volume
-  std::uint32_t material = 0;
+  std::uint32_t material = 0, group = 0;
   // Velocity, spin, inverse mass, mobility: eight numbers.
   const double* motion() const { return velocity.data(); }
 };

@@ -41,6 +41,9 @@ void BodyStepper<Real>::prepare(const StepConstants<double>& walls, bool rebuilt
     s.totals.assign(world_.walls.size(), WallTotal());
     s.tally = PolyhedronTally();
     s.move = MoveTally();
+    if (!world_.collisions.on()) continue;
+    s.collisions.tally.reset(world_.groups);
+    s.collisions.wall_episodes.clear();
   }
   const bool first = table_.body.empty();
   if (rebuilt || first) {
@@ -87,7 +90,8 @@ void BodyStepper<Real>::run_stretch(std::size_t stretch, int worker, BusyTimes& 
   Stretch& s = stretches_[stretch];
   const auto push = [&] {
     kernels_.push_bodies(constants_, contacts.view());
-    contacts.finish(world_, constants_, s.walls, s.totals, s.tally);
+    contacts.finish(world_, constants_, s.walls, s.totals, s.tally,
+                    world_.collisions.on() ? &s.collisions : nullptr);
   };
   Stopwatch watch;
   contacts.collect_pairs(world_, table_, first, last);
@@ -155,7 +159,13 @@ template <class Real>
 void BodyStepper<Real>::gather() {
   std::vector<PolyhedronWall>& walls = world_.polyhedra.walls;
   walls.clear();
-  for (const Stretch& s : stretches_) walls.insert(walls.end(), s.walls.begin(), s.walls.end());
+  std::vector<Episode>& episodes = world_.polyhedra.wall_episodes;
+  episodes.clear();
+  for (const Stretch& s : stretches_) {
+    walls.insert(walls.end(), s.walls.begin(), s.walls.end());
+    const std::vector<Episode>& more = s.collisions.wall_episodes;
+    if (world_.collisions.on()) episodes.insert(episodes.end(), more.begin(), more.end());
+  }
   first_wall_.assign(world_.polyhedra.size() + 1, 0);
   for (const PolyhedronWall& wall : walls) ++first_wall_[wall.particle + 1];
   for (std::size_t k = 0; k + 1 < first_wall_.size(); ++k) first_wall_[k + 1] += first_wall_[k];
@@ -317,6 +327,11 @@ void BodyStepper<Real>::add_to(ContactTally& pairs, ContactTally& walls, double&
     add_move(s.move, move);
     for (std::size_t w = 0; w < totals.size(); ++w) add_wall(s.totals[w], totals[w]);
   }
+}
+
+template <class Real>
+void BodyStepper<Real>::add_collisions(Collisions& all) const {
+  for (const Stretch& s : stretches_) s.collisions.tally.add_to(all);
 }
 
 template <class Real>
