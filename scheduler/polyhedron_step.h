@@ -34,7 +34,8 @@ class BodyStepper {
   // Contacts among bodies and with walls.
   void run_stretch(std::size_t stretch, int worker, BusyTimes& times);
   // Spheres of a tile against bodies.
-  void run_tile(std::size_t tile, int worker, const TileRows& rows, ContactTally& tally);
+  void run_tile(std::size_t tile, int worker, const TileRows& rows, ContactTally& tally,
+                CollisionTally* collisions);
   // Before the bodies move: wall contacts of all stretches in order, who has which groups and pairs.
   void gather();
   void move_stretch(std::size_t stretch);

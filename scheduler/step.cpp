@@ -120,7 +120,7 @@ void Stepper<Real>::run_tile(std::size_t tile, int worker) {
   w.times.add(Stage::kSpherePairs, watch);
   if (bodies_) {
     const double spheres = totals.pairs.contacts;
-    bodies_->run_tile(tile, worker, rows, totals.pairs);
+    bodies_->run_tile(tile, worker, rows, totals.pairs, collisions);
     totals.near_bodies = totals.pairs.contacts - spheres;
     w.times.add(Stage::kPolyhedronSpheres, watch);
   }

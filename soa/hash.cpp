@@ -46,8 +46,7 @@ void add_particles(const World<Real>& world, Hasher& h) {
     for (const double v : {r.x, r.y, r.z, r.vx, r.vy, r.vz}) h.add(v);
     for (const double v : {p.spin_x[k], p.spin_y[k], p.spin_z[k]}) h.add(v);
     h.add(r.radius);
-    const std::uint64_t tag = p.traits[k].tag;  // its group does not move it
-    h.add(std::uint64_t{make_tag(tag_material(tag), tag_contacts(tag))});
+    h.add(std::uint64_t{p.traits[k].tag});
   }
 }
 
