@@ -91,7 +91,10 @@ struct PairCollisions {
 inline std::size_t pair_kind(std::size_t groups, std::size_t a, std::size_t b) {
   return a * groups - a * (a + 1) / 2 + b;
 }
-inline constexpr std::size_t kMostPairKinds = kMostGroups * (kMostGroups + 1) / 2;
+inline constexpr std::size_t pair_kinds_among(std::size_t groups) {
+  return groups * (groups + 1) / 2;
+}
+inline constexpr std::size_t kMostPairKinds = pair_kinds_among(kMostGroups);
 
 // The numbers of the bits that are set in a byte, ascending; then zeros.
 struct SetBits {

@@ -71,7 +71,7 @@ void push_tile_pairs(const Kernels<Real>& kernels, const StepConstants<Real>& st
   } else {
     scratch.spare.reset(found.touching, pairs.law_history() + kEpisodeHistory);
     const std::size_t among = collisions->groups().of_particles();
-    PairCollisions<Real> told = make_room(found.own, among * (among + 1) / 2, scratch);
+    PairCollisions<Real> told = make_room(found.own, pair_kinds_among(among), scratch);
     kernels.push_pairs(step, particles, found, old.view(), scratch.spare.view(), rows, tally,
                        &told);
     hand_over(told, scratch, *collisions);

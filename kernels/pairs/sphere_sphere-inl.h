@@ -382,10 +382,13 @@ HWY_INLINE void sphere_sphere(const StepConstants<Real>& step, const ParticleVie
   if constexpr (Law::kRolling) keep(6, r.moment);
   store_history(h, touching, new_history, at.now);
   if constexpr (Law::kRecorded) {
-    follow_episodes<Real>(step.recording, t, r, touching, open, episode);
+    const Changes changes = changes_of(d, touching, open);
+    follow_episodes<Real>(step.recording, t, r, touching, open, changes, episode);
     if constexpr (kOwn) {
-      tell_collisions<Real>(step, pair_kinds<Real>(step.groups, a.group, b.group), t, r, touching,
-                            open, episode, few.kinds, *collisions);
+      const V kind = pair_kinds<Real>(step.groups, a.group, b.group);
+      add_to_kinds<Real>(pair_kinds_among(step.groups), kind, r, few.kinds);
+      if (HWY_UNLIKELY((changes.begun | changes.ended) != 0) && step.recording == Recording::kOn)
+        tell_changes<Real>(changes, kind, t, episode, *collisions);
     }
     store_history(episode, touching, behind<std::size(h)>(new_history), at.now);
   }
@@ -426,7 +429,8 @@ HWY_INLINE void push_part(const StepConstants<Real>& step, const ParticleView<Re
                           ContactTally& tally, PairCollisions<Real>* collisions) {
   constexpr std::size_t kLanes = hn::MaxLanes(Lanes<Real>());
   constexpr std::size_t kFew = 4 * kPairPad;  // contacts whose tallies are added in Real
-  [[maybe_unused]] const std::size_t kinds = step.groups * (step.groups + 1) / 2;
+  constexpr std::size_t kFewOfKinds = 4 * kFew;
+  [[maybe_unused]] const std::size_t kinds = pair_kinds_among(step.groups);
   const std::size_t first = kOwn ? 0 : found.imported_begin();
   const std::size_t last = first + (kOwn ? found.own : found.imported);
   TallySumV sum = zero_tally_sum();
@@ -434,21 +438,26 @@ HWY_INLINE void push_part(const StepConstants<Real>& step, const ParticleView<Re
   if constexpr (kOwn && Law::kRecorded) clear_sums(kinds, few.kinds);
   for (std::size_t from = first; from < last; from += kFew) {
     few.tally = zero_tally<Real>();
-    if constexpr (kOwn && Law::kRecorded) clear_few(kinds, few.kinds);
+    if constexpr (kOwn && Law::kRecorded) {
+      if (from % kFewOfKinds == 0) clear_few(kinds, few.kinds);
+    }
     for (std::size_t k = from; k < std::min(last, from + kFew); k += kLanes) {
       sphere_sphere<Real, Law, kOwn>(step, p, found.i + k, found.j + k, found.state + k, old, now,
                                      tile, at, few, collisions);
     }
     if constexpr (kOwn) {
       add_few<Real>(few.tally, sum);
-      if constexpr (Law::kRecorded) add_few<Real>(kinds, few.kinds);
+      if constexpr (Law::kRecorded) {
+        if ((from + kFew) % kFewOfKinds == 0 || from + kFew >= last)
+          add_few<Real>(kinds, few.kinds);
+      }
       const std::size_t next = tile.first + tile.size;
       prefetch_next_tile(p, next + from * tile.size / last,
                          next + std::min(from + kFew, last) * tile.size / last);
     }
   }
   if constexpr (kOwn) add_tally(sum, tally);
-  if constexpr (kOwn && Law::kRecorded) add_sums(kinds, few.kinds, collisions->energies);
+  if constexpr (kOwn && Law::kRecorded) add_sums(kinds, few.kinds, sum, collisions->energies);
 }
 template <class Real, class Law>
 void push_parts(const StepConstants<Real>& step, const ParticleView<Real>& p,
