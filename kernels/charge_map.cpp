@@ -184,6 +184,10 @@ std::vector<double> mean_amount(const ChargeMap& map, std::size_t amount) {
   return mean;
 }
 
+double dynamic_angle(double x, double y, const ChargeQuery& query) noexcept {
+  return angle_near(query.direction * (std::atan2(y, x) - query.up - kPi), 0);
+}
+
 double principal_angle(double angle) noexcept {
   return angle - kTurn * std::floor((angle + 0.5 * kPi) / kTurn);
 }

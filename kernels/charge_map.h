@@ -59,6 +59,10 @@ ChargeShape find_charge_shape(const ChargeMap& map, const ChargeQuery& query);
 LinerAngles find_liner_angles(const LinerHistogram& liner, const ChargeShape& shape,
                               const ChargeQuery& query);
 
+// From straight below the axis to the line to a place (m, mill coordinates), positive the way the
+// mill turns; of the charge's centre of mass it is the dynamic angle. In (-180, 180] degrees, rad.
+double dynamic_angle(double x, double y, const ChargeQuery& query) noexcept;
+
 // The angle in [-90, 270) degrees, in rad: a mill's angles, mirrored ones too, lie inside.
 double principal_angle(double angle) noexcept;
 

@@ -120,9 +120,11 @@ Recorder::Recorder(const std::string& folder, const Scene& scene, double dt,
     frame_steps_ = steps_in(scene.output.frames_every, dt);
     frames_.emplace(folder + "/frames");
   }
-  if (scene.record.charge_shape) {
+  if (scene.record.charge_shape || ClassRecorder::asked(scene)) {
     const auto first = static_cast<std::uint64_t>(std::llround(record_from_ / dt));
-    charge_.emplace(scene, dt, first, run_steps(scene, dt));
+    snapshots_.emplace(scene, dt, first, run_steps(scene, dt));
+    if (scene.record.charge_shape) charge_.emplace(scene, *snapshots_);
+    if (ClassRecorder::asked(scene)) classes_.emplace(scene, *snapshots_);
   }
   if (resumed_at) {
     series_.truncate_after(*resumed_at + 0.5 * dt);
@@ -157,7 +159,14 @@ void Recorder::after_step(World<Real>& world) {
     frames_->write(static_cast<int>(step / frame_steps_), particle_frame(world),
                    wall_frame(world), polyhedron_frame(world));
   }
-  if (charge_ && charge_->due(step)) charge_->take(step, particle_frame(world), series_);
+  if (snapshots_ && snapshots_->due(step)) take_snapshots(world);
+}
+
+template <class Real>
+void Recorder::take_snapshots(const World<Real>& world) {
+  const ParticleFrame frame = particle_frame(world);
+  if (charge_) charge_->take(world.clock.step, frame, series_);
+  if (classes_) classes_->take(world.clock.step, frame, energy_frame(world), series_);
 }
 
 template <class Real>
@@ -237,6 +246,9 @@ void Recorder::write_summary(World<Real>& world, const RunFigures& figures) {
   s.set("state_hash", fmt::format("{:016x}", state_hash(world)));
   s.set("peak_memory_B", peak_memory());
   const ParticleFrame f = particle_frame(world);
+  window_lines_ = report_window(scene_, {record_from_, world.time(), first}, f, world.total_mass,
+                                series_, s);
+  if (classes_) classes_->finish(world.clock.step, series_);
   if (charge_) {
     charge_->finish(world.clock.step, f, series_, s);
     charge_->write_picture(folder_ + "/charge_shape.svg");

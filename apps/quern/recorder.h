@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "apps/quern/charge_recorder.h"
+#include "apps/quern/class_recorder.h"
+#include "apps/quern/window_figures.h"
 #include "io/frames.h"
 #include "io/series.h"
 #include "io/summary.h"
@@ -45,8 +47,11 @@ class Recorder {
   double last_power() const { return last_power_; }
   double recorded_power() const { return recorded_power_; }  // after write_summary()
   const std::optional<ChargeRecorder>& charge() const { return charge_; }
+  const WindowLines& window_lines() const { return window_lines_; }  // after write_summary()
 
  private:
+  template <class Real>
+  void take_snapshots(const World<Real>& world);
   template <class Real>
   void write_tables(const World<Real>& world, const ParticleFrame& frame);
 
@@ -57,7 +62,10 @@ class Recorder {
   std::uint64_t series_steps_ = 1, frame_steps_ = 0;
   SeriesWriter series_;
   std::optional<FrameWriter> frames_;
+  std::optional<SnapshotClock> snapshots_;  // of charge_ and classes_, if there is either
   std::optional<ChargeRecorder> charge_;
+  std::optional<ClassRecorder> classes_;
+  WindowLines window_lines_;
   double last_power_ = 0, recorded_power_ = 0;
 };
 
