@@ -47,6 +47,10 @@ class Recorder {
   double last_power() const { return last_power_; }
   double recorded_power() const { return recorded_power_; }  // after write_summary()
   const std::optional<ChargeRecorder>& charge() const { return charge_; }
+  // Before write_summary(), where the contacts with the liner were watched: see ChargeRecorder.
+  void set_liner(std::vector<LinerHistogram> blocks) {
+    if (charge_) charge_->set_liner(std::move(blocks));
+  }
   const WindowLines& window_lines() const { return window_lines_; }  // after write_summary()
 
  private:

@@ -26,15 +26,22 @@ std::vector<double> recorded(const SeriesWriter& series, const std::string& name
   return all;
 }
 
+struct WatchedSeries {
+  std::vector<Watched> quantities;
+  std::vector<std::string> keys;  // what they are called in the series
+};
+
 // Power and kinetic energy against their means, the centre of mass against the mill's radius; what
 // is zero throughout is not watched.
-std::vector<Watched> watched_of(const Scene& scene, const RecordedWindow& window,
-                                const SeriesWriter& series) {
-  std::vector<Watched> all;
+WatchedSeries watched_of(const Scene& scene, const RecordedWindow& window,
+                         const SeriesWriter& series) {
+  WatchedSeries all;
   const auto watch = [&](const char* name, const std::string& quantity, double scale) {
     std::vector<double> samples = recorded(series, quantity, window);
     if (scale <= 0) scale = std::abs(block_mean(samples).mean);
-    if (scale > 0) all.push_back({name, std::move(samples), scale});
+    if (!(scale > 0)) return;
+    all.quantities.push_back({name, std::move(samples), scale});
+    all.keys.push_back(quantity);
   };
   watch("power", "power", 0);
   watch("kinetic energy", "kinetic_energy", 0);
@@ -45,21 +52,16 @@ std::vector<Watched> watched_of(const Scene& scene, const RecordedWindow& window
   return all;
 }
 
-std::string key_of(std::string name) {
-  std::replace(name.begin(), name.end(), ' ', '_');
-  return name;
-}
-
 std::string report_steadiness(const Scene& scene, const RecordedWindow& window,
                               const SeriesWriter& series, Summary& summary) {
-  const std::vector<Watched> watched = watched_of(scene, window, series);
-  const Steadiness result = judge_steadiness(watched);
+  const WatchedSeries watched = watched_of(scene, window, series);
+  const Steadiness result = judge_steadiness(watched.quantities);
   summary.set("steady", result.verdict == Verdict::kSteady);
   summary.set("steady_statement", result.statement);
   for (std::size_t k = 0; k < result.trends.size(); ++k) {
     const Trend& trend = result.trends[k];
-    const std::string key = key_of(watched[k].name);
-    const double scale = watched[k].scale;
+    const std::string& key = watched.keys[k];
+    const double scale = watched.quantities[k].scale;
     summary.set_mean(key + "_drift_share", trend.drift.value / scale,
                      trend.drift.standard_error / scale);
     summary.set_mean(key + "_step_share", trend.step.value / scale,

@@ -381,7 +381,7 @@ angle_to = "10 deg"
 [[record.zones]]
 name = "toe"
 angle_to = "400 deg"
-radius = "1 m"
+radius_form = "1 m"
 [mill]
 )",
      {R"~(29:8: error: name 'toe zone' may hold letters, digits, _ and - only)~",
@@ -390,7 +390,7 @@ radius = "1 m"
       R"~(36:12: error: 'angle_to': from 10 to 10 degrees is nothing)~",
       R"~(38:8: error: the name 'toe' is taken)~",
       R"~(39:12: error: 'angle_to': from 0 to 400 degrees is more than a full turn)~",
-      R"~(40:1: error: unknown key 'radius' - did you mean 'radius_from'?)~"}},
+      R"~(40:1: error: unknown key 'radius_form' - did you mean 'radius_from'?)~"}},
     {"CellsTooWide",
      R"([mill]
 )",

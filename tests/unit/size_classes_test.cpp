@@ -48,7 +48,8 @@ TEST(SizeClasses, HaveNamesAndRangesOfTheirOwn) {
   scene.particles[2].name = "pebble";
   scene.particles[1].sizes.push_back(counted(0.105, 0.15, 3, kRock));
   scene.particles[1].sizes.push_back(counted(0.105, 0.15, 3, kRock));
-  const std::vector<SizeClasses::Row>& rows = SizeClasses(scene).rows();
+  const SizeClasses classes(scene);
+  const std::vector<SizeClasses::Row>& rows = classes.rows();
   std::vector<std::string> names;
   for (const SizeClasses::Row& row : rows) names.push_back(row.name);
   EXPECT_EQ(names, (std::vector<std::string>{"ball", "ore 75-105 mm", "ore 105-150 mm",
