@@ -361,8 +361,8 @@ TEST(ChargeMap, CarriesAmountsWithTheVolume) {
   const std::vector<double> group = solid_fraction_carrying(sum, 1);
   double carried = 0;
   for (std::size_t cell = 0; cell < grid.cells(); ++cell) {
-    const bool right = cell % static_cast<std::size_t>(grid.angles) <
-                       static_cast<std::size_t>(grid.angles) / 4;
+    const bool right =
+        cell % static_cast<std::size_t>(grid.angles) < static_cast<std::size_t>(grid.angles) / 4;
     if (map.volume[cell] <= 0) {
       EXPECT_EQ(velocity[cell], 0);
       continue;

@@ -52,10 +52,9 @@ TEST(SizeClasses, HaveNamesAndRangesOfTheirOwn) {
   const std::vector<SizeClasses::Row>& rows = classes.rows();
   std::vector<std::string> names;
   for (const SizeClasses::Row& row : rows) names.push_back(row.name);
-  EXPECT_EQ(names, (std::vector<std::string>{"ball", "ore 75-105 mm", "ore 105-150 mm",
-                                             "ore 15-25 mm", "ore 200 mm",
-                                             "ore 105-150 mm polyhedra",
-                                             "ore 105-150 mm polyhedra 2", "pebble"}));
+  EXPECT_EQ(names, (std::vector<std::string>{
+                       "ball", "ore 75-105 mm", "ore 105-150 mm", "ore 15-25 mm", "ore 200 mm",
+                       "ore 105-150 mm polyhedra", "ore 105-150 mm polyhedra 2", "pebble"}));
   EXPECT_EQ(rows[0].from, 0.125);
   EXPECT_EQ(rows[0].to, 0.125);
   EXPECT_EQ(rows[7].from, 0.04);
