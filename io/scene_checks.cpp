@@ -345,19 +345,58 @@ void check_groups(const SceneCheck& check) {
   }
 }
 
+// Settings of what is not recorded.
+void check_record_settings(const SceneCheck& check) {
+  const RecordSpec& record = check.scene.record;
+  const auto needs = [&](const char* key, bool given, const char* what) {
+    if (given)
+      check.error(std::string("record.") + key, fmt::format("'{}' needs {}", key, what));
+  };
+  const bool map = record.charge_shape || !check.good({"record.charge_shape"});
+  const bool any = map || record.classes || !record.zones.empty() ||
+                   !check.good({"record.classes", "record.zones"});
+  needs("snapshots_every", !any && record.snapshots_every > 0,
+        "charge_shape = true, classes = true or [[record.zones]]");
+  needs("cell_angle", !map && record.cell_angle > 0, "charge_shape = true");
+  needs("cell_width", !map && record.cell_width > 0, "charge_shape = true");
+}
+
+void check_zones(const SceneCheck& check) {
+  constexpr double kTurn = 2 * kPi;
+  constexpr double kDegree = kPi / 180;
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < check.scene.record.zones.size(); ++k) {
+    const ZoneSpec& zone = check.scene.record.zones[k];
+    const std::string path = fmt::format("record.zones[{}].", k);
+    check.name(path + "name", zone.name, names);
+    if (zone.radius_to && *zone.radius_to <= zone.radius_from &&
+        check.good({path + "radius_from", path + "radius_to"}))
+      check.error(path + "radius_to",
+                  fmt::format("'radius_to': {} m is not above 'radius_from' ({} m)",
+                              format_number(*zone.radius_to), format_number(zone.radius_from)));
+    if (check.scene.mill && zone.radius_from >= check.scene.mill->diameter / 2 &&
+        check.good({path + "radius_from", "mill", "mill.diameter"}))
+      check.error(path + "radius_from",
+                  fmt::format("'radius_from': {} m is not inside the mill's radius ({} m)",
+                              format_number(zone.radius_from),
+                              format_number(check.scene.mill->diameter / 2)));
+    if (!check.good({path + "angle_from", path + "angle_to"})) continue;
+    const double span = zone.angle_to - zone.angle_from;
+    // A full turn in degrees is one in radians to rounding.
+    if (span == 0 || std::abs(span) > kTurn * (1 + 1e-12))
+      check.error(path + "angle_to",
+                  fmt::format("'angle_to': from {:.6g} to {:.6g} degrees is {}",
+                              zone.angle_from / kDegree, zone.angle_to / kDegree,
+                              span == 0 ? "nothing" : "more than a full turn"));
+  }
+}
+
 void check_record_table(const SceneCheck& check) {
   const RecordSpec& record = check.scene.record;
   if (record.charge_shape && !check.scene.mill && check.good({"mill", "record.charge_shape"}))
     check.error("record.charge_shape", "'charge_shape' needs a [mill]");
-  if (!record.charge_shape && check.good({"record.charge_shape"})) {
-    const std::pair<const char*, double> given[] = {{"snapshots_every", record.snapshots_every},
-                                                    {"cell_angle", record.cell_angle},
-                                                    {"cell_width", record.cell_width}};
-    for (const auto& [key, value] : given)
-      if (value > 0)
-        check.error(std::string("record.") + key,
-                    fmt::format("'{}' needs charge_shape = true", key));
-  }
+  check_record_settings(check);
+  check_zones(check);
   if (!check.scene.mill || record.cell_width <= check.scene.mill->diameter / 4 ||
       !check.good({"record.cell_width", "mill.diameter"}))
     return;

@@ -381,13 +381,25 @@ void fields(Io& io, OutputSpec& output) {
 }
 
 template <class Io>
+void fields(Io& io, ZoneSpec& zone) {
+  using enum Dimension;
+  io({"name", "default: zone_1, zone_2, ..."}, zone.name);
+  io({"radius_from", "from the mill's axis", kLength, Range::kNotNegative}, zone.radius_from);
+  io({"radius_to", "default: no limit", kLength, Range::kPositive}, zone.radius_to);
+  io({"angle_from", "from +x, counterclockwise", kAngle}, zone.angle_from);
+  io({"angle_to", "below angle_from: on through a full turn", kAngle}, zone.angle_to);
+}
+
+template <class Io>
 void fields(Io& io, RecordSpec& record) {
   using enum Dimension;
   io({"collisions", "power by kind of collision and collision spectra"}, record.collisions);
-  io({"charge_shape", "the charge's shoulder and toe, and the map of its solid fraction"},
+  io({"charge_shape", "the charge's angles, and maps of its solid fraction and velocity"},
      record.charge_shape);
-  io({"snapshots_every", "time between snapshots of the map; 0: 1/100 of the recorded window",
-      kTime, Range::kNotNegative},
+  io({"classes", "count, spin and kinetic energy of each size class"}, record.classes);
+  io({"snapshots_every",
+      "time between snapshots of map, classes and zones; 0: 1/100 of the recorded window", kTime,
+      Range::kNotNegative},
      record.snapshots_every);
   io({"cell_angle", "cells of the map around; 0: 1 degree, in small mills up to 10", kAngle,
       Range::kAcute},
@@ -395,6 +407,9 @@ void fields(Io& io, RecordSpec& record) {
   io({"cell_width", "cells of the map along the radius; 0: half the median diameter", kLength,
       Range::kNotNegative},
      record.cell_width);
+  // Last: what is written after a table of its own belongs to that.
+  io.tables({"zones", "a part of the cross-section: count and kinetic energy inside by size class"},
+            record.zones);
 }
 
 template <class Io>

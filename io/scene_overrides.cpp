@@ -92,7 +92,9 @@ class Override {
       if (part.empty()) return fail(fmt::format("'{}' is no dotted key", key));
     const Node value = parse_override_value(text.substr(equals + 1), place_.override_index);
     if (parts[0] == "particles" || parts[0] == "walls")
-      set_in_entry(parts, value);
+      set_in_entry(root_, parts, 0, value);
+    else if (parts[0] == "record" && parts.size() > 1 && parts[1] == "zones")
+      set_in_zone(parts, value);
     else if (parts[0] == "contact" && parts.size() == 3)
       set_in_pair(parts, value);
     else
@@ -120,17 +122,26 @@ class Override {
     set_below(*next, parts, at + 1, value);
   }
 
-  void set_in_entry(const std::vector<std::string>& parts, const Node& value) {
-    if (parts.size() < 3)
-      return fail(fmt::format("address an entry by its name: {}.NAME.key=value", parts[0]));
-    Node* list = root_.find(parts[0]);
+  void set_in_zone(const std::vector<std::string>& parts, const Node& value) {
+    Node none;
+    Node* record = root_.find("record");
+    set_in_entry(record ? *record : none, parts, 1, value);
+  }
+
+  // parts[at] is the list in `table`, parts[at + 1] the entry's name.
+  void set_in_entry(Node& table, const std::vector<std::string>& parts, std::size_t at,
+                    const Node& value) {
+    if (parts.size() < at + 3)
+      return fail(fmt::format("address an entry by its name: {}.NAME.key=value",
+                              at == 0 ? parts[0] : "record.zones"));
+    Node* list = table.find(parts[at]);
     const std::vector<std::string> names = names_in(list);
-    const auto found = std::find(names.begin(), names.end(), parts[1]);
+    const auto found = std::find(names.begin(), names.end(), parts[at + 1]);
     if (found == names.end())
-      return fail(fmt::format("no {} named '{}'{} ({})", parts[0], parts[1],
-                              did_you_mean(parts[1], names),
+      return fail(fmt::format("no {} named '{}'{} ({})", parts[at], parts[at + 1],
+                              did_you_mean(parts[at + 1], names),
                               names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
-    set_below(list->items[static_cast<std::size_t>(found - names.begin())], parts, 2, value);
+    set_below(list->items[static_cast<std::size_t>(found - names.begin())], parts, at + 2, value);
   }
 
   void set_in_pair(const std::vector<std::string>& parts, const Node& value) {
@@ -182,6 +193,8 @@ class Override {
 void give_names(Node& root) {
   name_entries(root, "particles", "material", "particles");
   name_entries(root, "walls", nullptr, "wall");
+  if (Node* record = root.find("record"); record && record->kind == NodeKind::kTable)
+    name_entries(*record, "zones", nullptr, "zone");
 }
 
 void apply_overrides(Node& root, const std::vector<std::string>& overrides, Messages& messages) {

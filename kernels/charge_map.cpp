@@ -22,6 +22,7 @@ struct Patch {
   double radius, angle;  // of its middle, about the mill's axis
   double width;          // m, in both directions
   double volume;
+  const float* amount;  // of its sphere, as many as the map counts
 };
 
 // The part of a row of cells that a patch covers, in units of cells.
@@ -29,14 +30,19 @@ struct Span {
   double low, high;
 };
 
-void share_ring(const Span& around, double volume, int ring, ChargeMap& map) noexcept {
+void share_ring(const Span& around, double volume, const float* amount, int ring,
+                ChargeMap& map) noexcept {
   const int angles = map.grid.angles;
   const double scale = volume / (around.high - around.low);
   const int first = static_cast<int>(std::floor(around.low));
   const int end = static_cast<int>(std::ceil(around.high));
   for (int at = first; at < end; ++at) {
     const double part = std::min(at + 1.0, around.high) - std::max(double(at), around.low);
-    map.volume[map.grid.cell(ring, ((at % angles) + angles) % angles)] += part * scale;
+    const std::size_t cell = map.grid.cell(ring, ((at % angles) + angles) % angles);
+    map.volume[cell] += part * scale;
+    for (std::size_t k = 0; k < map.amounts; ++k) {
+      map.carried[cell * map.amounts + k] += part * scale * static_cast<double>(amount[k]);
+    }
   }
 }
 
@@ -48,13 +54,13 @@ void share(const Patch& patch, ChargeMap& map) noexcept {
   const Span around = {middle - turned, middle + turned};
   const double high = std::min(patch.radius + half, grid.radius) / grid.ring_width();
   const double low = std::max(patch.radius - half, 0.0) / grid.ring_width();
-  if (low >= high) return share_ring(around, patch.volume, grid.rings - 1, map);
+  if (low >= high) return share_ring(around, patch.volume, patch.amount, grid.rings - 1, map);
   const double scale = patch.volume / (high * high - low * low);  // by area
   const int last = std::min(static_cast<int>(high), grid.rings - 1);
   for (int ring = std::min(static_cast<int>(low), last); ring <= last; ++ring) {
     const double from = std::max(low, double(ring));
     const double to = ring == last ? high : std::min(high, ring + 1.0);
-    if (to > from) share_ring(around, (to * to - from * from) * scale, ring, map);
+    if (to > from) share_ring(around, (to * to - from * from) * scale, patch.amount, ring, map);
   }
 }
 
@@ -97,23 +103,25 @@ PolarGrid choose_polar_grid(double shell_radius, double d50, double cell_angle, 
   return grid;
 }
 
-ChargeMap make_charge_map(const PolarGrid& grid, double length) {
+ChargeMap make_charge_map(const PolarGrid& grid, double length, std::size_t amounts) {
   QUERN_CHECK(grid.angles >= 4 && grid.angles % 2 == 0 && grid.rings >= 2 && length > 0);
   ChargeMap map;
   map.grid = grid;
   map.length = length;
   map.volume.assign(grid.cells(), 0);
+  map.amounts = amounts;
+  map.carried.assign(grid.cells() * amounts, 0);
   return map;
 }
 
 void deposit(std::span<const double> position, std::span<const float> radius,
-             ChargeMap& map) noexcept {
+             std::span<const float> amount, ChargeMap& map) noexcept {
   const double ring_width = map.grid.ring_width();
   const double c = std::cos(kGoldenAngle), s = std::sin(kGoldenAngle);
   for (std::size_t i = 0; i < radius.size(); ++i) {
     const double r = radius[i];
     const int n = patches_of(r, ring_width);
-    Patch patch{0, 0, r * std::sqrt(kPi / n), volume_of(r) / n};
+    Patch patch{0, 0, r * std::sqrt(kPi / n), volume_of(r) / n, amount.data() + i * map.amounts};
     double x = 1, y = 0;
     for (int k = 0; k < n; ++k) {
       const double rest = std::cbrt(1 - (k + 0.5) / n);
@@ -132,20 +140,52 @@ void deposit(std::span<const double> position, std::span<const float> radius,
 
 void add_snapshots(const ChargeMap& from, ChargeMap& to) noexcept {
   for (std::size_t k = 0; k < to.volume.size(); ++k) to.volume[k] += from.volume[k];
+  for (std::size_t k = 0; k < to.carried.size(); ++k) to.carried[k] += from.carried[k];
   to.snapshots += from.snapshots;
 }
 
-std::vector<double> solid_fraction(const ChargeMap& map) {
+namespace {
+
+// `value(cell)` is a volume summed over snapshots.
+template <class Value>
+std::vector<double> over_space(const ChargeMap& map, const Value& value) {
   std::vector<double> fraction(map.volume.size(), 0);
   if (map.snapshots <= 0) return fraction;
   const PolarGrid& grid = map.grid;
   for (int ring = 0; ring < grid.rings; ++ring) {
     const double scale = 1 / (grid.area(ring) * map.length * map.snapshots);
     for (int a = 0; a < grid.angles; ++a) {
-      fraction[grid.cell(ring, a)] = map.volume[grid.cell(ring, a)] * scale;
+      fraction[grid.cell(ring, a)] = value(grid.cell(ring, a)) * scale;
     }
   }
   return fraction;
+}
+
+}  // namespace
+
+std::vector<double> solid_fraction(const ChargeMap& map) {
+  return over_space(map, [&](std::size_t cell) { return map.volume[cell]; });
+}
+
+std::vector<double> solid_fraction_carrying(const ChargeMap& map, std::size_t amount) {
+  QUERN_CHECK(amount < map.amounts);
+  return over_space(map,
+                    [&](std::size_t cell) { return map.carried[cell * map.amounts + amount]; });
+}
+
+std::vector<double> mean_amount(const ChargeMap& map, std::size_t amount) {
+  QUERN_CHECK(amount < map.amounts);
+  std::vector<double> mean(map.volume.size(), 0);
+  for (std::size_t cell = 0; cell < mean.size(); ++cell) {
+    if (map.volume[cell] > 0) {
+      mean[cell] = map.carried[cell * map.amounts + amount] / map.volume[cell];
+    }
+  }
+  return mean;
+}
+
+double dynamic_angle(double x, double y, const ChargeQuery& query) noexcept {
+  return angle_near(query.direction * (std::atan2(y, x) - query.up - kPi), 0);
 }
 
 double principal_angle(double angle) noexcept {

@@ -29,17 +29,27 @@ double median_diameter(std::span<const float> radius);
 PolarGrid choose_polar_grid(double shell_radius, double d50, double cell_angle = 0,
                             double cell_width = 0);
 
-ChargeMap make_charge_map(const PolarGrid& grid, double length);
+ChargeMap make_charge_map(const PolarGrid& grid, double length, std::size_t amounts = 0);
 
-// One snapshot: `position` n x 3 in mill coordinates, `radius` n, of the sphere of equal volume.
+// One snapshot: `position` n x 3 in mill coordinates, `radius` n, of the sphere of equal volume,
+// `amount` n x map.amounts.
 void deposit(std::span<const double> position, std::span<const float> radius,
-             ChargeMap& map) noexcept;
+             std::span<const float> amount, ChargeMap& map) noexcept;
+inline void deposit(std::span<const double> position, std::span<const float> radius,
+                    ChargeMap& map) noexcept {
+  deposit(position, radius, {}, map);
+}
 
-// Adds the volumes and snapshots of a map on the same grid.
+// Adds the volumes, what they carry, and the snapshots of a map on the same grid.
 void add_snapshots(const ChargeMap& from, ChargeMap& to) noexcept;
 
 // Mean solid fraction of each cell.
 std::vector<double> solid_fraction(const ChargeMap& map);
+// The part of it that carries an amount: the solid fraction of a group, where the amount is 1 for
+// its particles and 0 for all others.
+std::vector<double> solid_fraction_carrying(const ChargeMap& map, std::size_t amount);
+// Mean of an amount over the volume seen in each cell, 0 where there was none.
+std::vector<double> mean_amount(const ChargeMap& map, std::size_t amount);
 
 ChargeShape find_charge_shape(const ChargeMap& map, const ChargeQuery& query);
 
@@ -48,6 +58,10 @@ ChargeShape find_charge_shape(const ChargeMap& map, const ChargeQuery& query);
 // over the bare liner, the angle within which 95 % of the dissipation of hits there lies.
 LinerAngles find_liner_angles(const LinerHistogram& liner, const ChargeShape& shape,
                               const ChargeQuery& query);
+
+// From straight below the axis to the line to a place (m, mill coordinates), positive the way the
+// mill turns; of the charge's centre of mass it is the dynamic angle. In (-180, 180] degrees, rad.
+double dynamic_angle(double x, double y, const ChargeQuery& query) noexcept;
 
 // The angle in [-90, 270) degrees, in rad: a mill's angles, mirrored ones too, lie inside.
 double principal_angle(double angle) noexcept;

@@ -72,6 +72,28 @@ ParticleFrame particle_frame(const World<Real>& world) {
   return f;
 }
 
+template <class Real>
+EnergyFrame energy_frame(const World<Real>& world) {
+  constexpr double kSphere = 0.4;  // moment of inertia over m r^2
+  const Particles<Real>& p = world.particles;
+  const Polyhedra<Real>& q = world.polyhedra;
+  EnergyFrame f;
+  f.mass.resize(p.size() + q.size());
+  f.rotational_energy.resize(p.size() + q.size());
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    const double mass = 1 / static_cast<double>(p.traits[k].inverse_mass);
+    const double radius = static_cast<double>(p.record[k].radius);
+    const Vec3 spin(p.spin_x[k], p.spin_y[k], p.spin_z[k]);
+    f.mass[p.id[k]] = mass;
+    f.rotational_energy[p.id[k]] = 0.5 * kSphere * mass * radius * radius * spin.squaredNorm();
+  }
+  for (std::size_t k = 0; k < q.size(); ++k) {
+    f.mass[p.size() + k] = 1 / q.inverse_mass[k];
+    f.rotational_energy[p.size() + k] = 0.5 * q.spin(k).dot(q.momentum(k));
+  }
+  return f;
+}
+
 SurfaceFrame shape_surface(const Shape& shape) {
   SurfaceFrame f;
   for (std::size_t v = 0; v < shape.vertices; ++v) {
@@ -141,6 +163,8 @@ WallFrame wall_frame(const World<Real>& world) {
 
 template ParticleFrame particle_frame(const World<float>&);
 template ParticleFrame particle_frame(const World<double>&);
+template EnergyFrame energy_frame(const World<float>&);
+template EnergyFrame energy_frame(const World<double>&);
 template std::optional<PolyhedronFrame> polyhedron_frame(const World<float>&);
 template std::optional<PolyhedronFrame> polyhedron_frame(const World<double>&);
 template WallFrame wall_frame(const World<float>&);

@@ -11,6 +11,9 @@ namespace quern {
 template <class Real>
 ParticleFrame particle_frame(const World<Real>& world);
 
+template <class Real>
+EnergyFrame energy_frame(const World<Real>& world);
+
 // Nothing for a scene without polyhedra.
 template <class Real>
 std::optional<PolyhedronFrame> polyhedron_frame(const World<Real>& world);

@@ -36,12 +36,15 @@ struct PolarGrid {
   bool operator==(const PolarGrid&) const = default;
 };
 
-// Solid volume seen in each cell, summed over snapshots.
+// Solid volume seen in each cell, summed over snapshots, and what that volume carries: amounts that
+// each particle has, as its velocity, or 1 for those of a group and 0 for all others.
 struct ChargeMap {
   PolarGrid grid;
   double length = 0;  // m, of the mill along its axis
   double snapshots = 0;
-  std::vector<double> volume;  // m^3 per cell
+  std::vector<double> volume;   // m^3 per cell
+  std::size_t amounts = 0;      // of a particle
+  std::vector<double> carried;  // cells x amounts, row-major: volume times amount
 };
 
 // What the finder needs to know of the mill.
@@ -71,12 +74,34 @@ struct LinerHistogram {
   std::vector<double> contact_time;  // s, summed over contacts
   // J, by normal damping in contacts that began with an approach faster than 0.2 omega R
   std::vector<double> hit_dissipation;
+
+  bool empty() const { return contact_time.empty(); }
 };
 
 struct LinerAngles {
   bool head_found = false;
   bool impacts_found = false;       // else impact_toe is the bulk toe
   double head = 0, impact_toe = 0;  // rad
+};
+
+// An angle of the charge with what is known of its accuracy; rad, NaN where unknown. The value is
+// that of the whole window.
+struct AngleFigure {
+  double value, error;    // standard error, from blocks of the window
+  double at_low, at_high;  // with the bulk cut at 0.4 and 0.6 of the bed's solid fraction
+};
+
+// The angles that one block or one snapshot shows; rad, NaN where not found.
+struct FoundAngles {
+  double shoulder, toe, head, impact_toe;
+};
+
+struct ChargeAngles {
+  ChargeShape shape;  // of the whole window
+  AngleFigure shoulder, toe, head, impact_toe;
+  bool liner_known = false;    // else head and impact toe were not looked for
+  bool impacts_found = false;  // else the impact toe is the (bulk) toe
+  std::vector<FoundAngles> blocks;
 };
 
 }  // namespace quern

@@ -26,6 +26,12 @@ struct ParticleFrame {
   std::vector<std::uint16_t> contacts;  // touching partners, walls included
 };
 
+// What goes with a ParticleFrame where energies are asked for, in its order.
+struct EnergyFrame {
+  std::vector<double> mass;               // kg
+  std::vector<double> rotational_energy;  // J, from the half-step spin
+};
+
 // The polyhedra at the same moment, in the order of ParticleFrame, as what is seen of them.
 struct PolyhedronFrame {
   std::vector<double> orientation;      // n x 4, w x y z, body to world

@@ -219,13 +219,25 @@ struct OutputSpec {
   double checkpoint_every = 600;  // s of wall clock
 };
 
+// A part of the mill's cross-section, over the whole length: between two radii and, going
+// counterclockwise, two angles from +x about the axis +z through the origin. It stands still while
+// the mill turns. angle_to below angle_from goes on through a full turn.
+struct ZoneSpec {
+  std::string name;
+  double radius_from = 0;           // m
+  std::optional<double> radius_to;  // m; default: no limit
+  double angle_from = 0, angle_to = 2 * kPi;  // rad
+};
+
 // What a run works out of its recorded window besides the series; what is not asked costs nothing.
 struct RecordSpec {
   bool collisions = false;    // power by kind of collision, collision spectra
   bool charge_shape = false;  // the map of solid fraction; shoulder and toe
+  bool classes = false;        // motion of each size class
   double snapshots_every = 0;  // s; 0: 1/100 of the recorded window
   double cell_angle = 0;       // rad, of the map; 0: chosen from mill and particles
   double cell_width = 0;       // m; 0: half the median diameter
+  std::vector<ZoneSpec> zones;
 };
 
 struct Scene {

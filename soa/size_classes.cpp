@@ -1,19 +1,67 @@
 #include "soa/size_classes.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <limits>
 
 namespace quern {
+namespace {
+
+// The only class of a species without `sizes`.
+SizeClasses::Row only_class(const ParticleSpec& species) {
+  SizeClasses::Row row{0, 0, species.shape, species.name};
+  const SizeDistribution& sizes = species.distribution;
+  if (species.diameter) row.from = row.to = *species.diameter;
+  if (sizes.kind == DistributionKind::kRosinRammler) {
+    row.from = sizes.from;
+    row.to = sizes.to;
+  } else if (sizes.kind == DistributionKind::kPassingTable) {
+    row.from = sizes.passing.front().first;
+    row.to = sizes.passing.back().first;
+  }
+  for (const ExplicitParticle& particle : species.explicit_particles) {
+    row.from = row.from == 0 ? particle.diameter : std::min(row.from, particle.diameter);
+    row.to = std::max(row.to, particle.diameter);
+  }
+  return row;
+}
+
+std::string name_of(const std::string& species, const SizeClass& size) {
+  char text[64];
+  if (size.from == size.to)
+    std::snprintf(text, sizeof text, " %g mm", 1e3 * size.from);
+  else
+    std::snprintf(text, sizeof text, " %g-%g mm", 1e3 * size.from, 1e3 * size.to);
+  return species + text;
+}
+
+// Classes of equal sizes differ by their shape, or else by a number.
+void tell_apart(std::vector<SizeClasses::Row>& rows) {
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const auto taken = [&](const std::string& name) {
+      return std::any_of(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(k),
+                         [&](const SizeClasses::Row& row) { return row.name == name; });
+    };
+    if (!taken(rows[k].name)) continue;
+    const std::string base =
+        rows[k].name + (rows[k].shape == ShapeKind::kSphere ? " spheres" : " polyhedra");
+    rows[k].name = base;
+    for (int n = 2; taken(rows[k].name); ++n) rows[k].name = base + " " + std::to_string(n);
+  }
+}
+
+}  // namespace
 
 SizeClasses::SizeClasses(const Scene& scene) {
   first_.push_back(0);
   for (const ParticleSpec& species : scene.particles) {
     for (const SizeClass& size : species.sizes) {
-      rows_.push_back({size.from, size.to, shape_of(species, size)});
+      rows_.push_back({size.from, size.to, shape_of(species, size), name_of(species.name, size)});
     }
-    if (species.sizes.empty()) rows_.push_back({0, 0, species.shape});
+    if (species.sizes.empty()) rows_.push_back(only_class(species));
     first_.push_back(rows_.size());
   }
+  tell_apart(rows_);
   QUERN_CHECK(rows_.size() < kUnknown);
 }
 

@@ -7,6 +7,7 @@
 // narrowest takes a diameter, of equally wide ones the first.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "soa/scene.h"
@@ -23,11 +24,14 @@ class SizeClasses {
   // `diameter` of a polyhedron: of the sphere of equal volume (m).
   std::uint16_t of(std::size_t species, ShapeKind shape, double diameter) const;
 
- private:
   struct Row {
-    double from = 0, to = 0;  // m
+    double from = 0, to = 0;  // m; where particles come from a file, what the scene says of them
     ShapeKind shape = ShapeKind::kSphere;
+    std::string name;  // "ball", "ore 15-25 mm"; no two are the same
   };
+  const std::vector<Row>& rows() const { return rows_; }
+
+ private:
   std::vector<Row> rows_;
   std::vector<std::size_t> first_;  // row of each species; one more at the end
 };

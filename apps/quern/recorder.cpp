@@ -121,16 +121,18 @@ Recorder::Recorder(const std::string& folder, const Scene& scene, double dt,
                                           : std::nullopt),
       series_(folder + "/run.h5", series_quantities(tallies_, walls, collisions_),
               resumed_at ? SeriesMode::kAppend : SeriesMode::kNew) {
-  const double every = scene.output.series_every > 0 ? scene.output.series_every
-                                                     : run_duration(scene, dt) / 1000;
+  const double every =
+      scene.output.series_every > 0 ? scene.output.series_every : run_duration(scene, dt) / 1000;
   series_steps_ = steps_in(every, dt);
   if (scene.output.frames_every > 0) {
     frame_steps_ = steps_in(scene.output.frames_every, dt);
     frames_.emplace(folder + "/frames");
   }
   first_step_ = static_cast<std::uint64_t>(std::llround(record_from_ / dt));
-  if (scene.record.charge_shape) {
-    charge_.emplace(scene, dt, first_step_, run_steps(scene, dt));
+  if (scene.record.charge_shape || ClassRecorder::asked(scene)) {
+    snapshots_.emplace(scene, dt, first_step_, run_steps(scene, dt));
+    if (scene.record.charge_shape) charge_.emplace(scene, *snapshots_);
+    if (ClassRecorder::asked(scene)) classes_.emplace(scene, *snapshots_);
   }
   if (resumed_at) {
     series_.truncate_after(*resumed_at + 0.5 * dt);
@@ -163,10 +165,17 @@ void Recorder::after_step(World<Real>& world) {
     world.window = Window();
   }
   if (frame_steps_ > 0 && step % frame_steps_ == 0) {
-    frames_->write(static_cast<int>(step / frame_steps_), particle_frame(world),
-                   wall_frame(world), polyhedron_frame(world));
+    frames_->write(static_cast<int>(step / frame_steps_), particle_frame(world), wall_frame(world),
+                   polyhedron_frame(world));
   }
-  if (charge_ && charge_->due(step)) charge_->take(step, particle_frame(world), series_);
+  if (snapshots_ && snapshots_->due(step)) take_snapshots(world);
+}
+
+template <class Real>
+void Recorder::take_snapshots(const World<Real>& world) {
+  const ParticleFrame frame = particle_frame(world);
+  if (charge_) charge_->take(world.clock.step, frame, series_);
+  if (classes_) classes_->take(world.clock.step, frame, energy_frame(world), series_);
 }
 
 template <class Real>
@@ -188,9 +197,9 @@ void Recorder::write_summary(World<Real>& world, const RunFigures& figures) {
   s.set("finished", figures.finished);
   if (!figures.error.empty()) s.set("error", figures.error);
   s.set("wall_s", figures.wall_seconds);
-  s.set("particle_steps_per_s", figures.step_seconds > 0 ? n * static_cast<double>(figures.run_steps) /
-                                                               figures.step_seconds
-                                                         : 0.0);
+  s.set("particle_steps_per_s",
+        figures.step_seconds > 0 ? n * static_cast<double>(figures.run_steps) / figures.step_seconds
+                                 : 0.0);
   s.set("rebuild_s", figures.times.rebuild);
   for (std::size_t k = 0; k < kStageNames.size(); ++k) {
     const double busy = figures.times.busy[k];
@@ -207,8 +216,8 @@ void Recorder::write_summary(World<Real>& world, const RunFigures& figures) {
   s.set_mean("potential_energy_J", recorded("potential_energy"));
   s.set_mean("contacts_per_particle", recorded("contacts_per_particle"));
   if (!world.shapes.empty()) {
-    for (const char* name : {"polyhedron_sphere_contacts", "polyhedron_pair_contacts",
-                             "polyhedron_wall_contacts"}) {
+    for (const char* name :
+         {"polyhedron_sphere_contacts", "polyhedron_pair_contacts", "polyhedron_wall_contacts"}) {
       s.set_mean(name, recorded(name));
     }
   }
@@ -216,9 +225,9 @@ void Recorder::write_summary(World<Real>& world, const RunFigures& figures) {
     s.set_mean(fmt::format("center_of_mass_{}_m", axis),
                recorded(fmt::format("center_of_mass_{}", axis).c_str()));
   }
-  s.set_array("center_of_mass_m", {recorded("center_of_mass_x").mean,
-                                   recorded("center_of_mass_y").mean,
-                                   recorded("center_of_mass_z").mean});
+  s.set_array("center_of_mass_m",
+              {recorded("center_of_mass_x").mean, recorded("center_of_mass_y").mean,
+               recorded("center_of_mass_z").mean});
   const Ledger& l = world.ledger;
   s.set("wall_work_J", l.wall_work);
   s.set("gravity_work_J", l.gravity_work);
@@ -247,6 +256,9 @@ void Recorder::write_summary(World<Real>& world, const RunFigures& figures) {
   s.set("state_hash", fmt::format("{:016x}", state_hash(world)));
   s.set("peak_memory_B", peak_memory());
   const ParticleFrame f = particle_frame(world);
+  window_lines_ =
+      report_window(scene_, {record_from_, world.time(), first}, f, world.total_mass, series_, s);
+  if (classes_) classes_->finish(world.clock.step, series_);
   if (charge_) {
     charge_->finish(world.clock.step, f, series_, s);
     charge_->write_picture(folder_ + "/charge_shape.svg");

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "apps/quern/charge_recorder.h"
+#include "apps/quern/class_recorder.h"
 #include "apps/quern/collision_recorder.h"
+#include "apps/quern/window_figures.h"
 #include "io/frames.h"
 #include "io/series.h"
 #include "io/summary.h"
@@ -59,8 +61,15 @@ class Recorder {
   double last_power() const { return last_power_; }
   double recorded_power() const { return recorded_power_; }  // after write_summary()
   const std::optional<ChargeRecorder>& charge() const { return charge_; }
+  // Before write_summary(), where the contacts with the liner were watched: see ChargeRecorder.
+  void set_liner(std::vector<LinerHistogram> blocks) {
+    if (charge_) charge_->set_liner(std::move(blocks));
+  }
+  const WindowLines& window_lines() const { return window_lines_; }  // after write_summary()
 
  private:
+  template <class Real>
+  void take_snapshots(const World<Real>& world);
   template <class Real>
   void write_records(const World<Real>& world, Summary& summary) {
     if (collisions_) collisions_->write(world, record_from_, series_, summary);
@@ -77,7 +86,10 @@ class Recorder {
   std::uint64_t series_steps_ = 1, frame_steps_ = 0;
   SeriesWriter series_;
   std::optional<FrameWriter> frames_;
+  std::optional<SnapshotClock> snapshots_;  // of charge_ and classes_, if there is either
   std::optional<ChargeRecorder> charge_;
+  std::optional<ClassRecorder> classes_;
+  WindowLines window_lines_;
   double last_power_ = 0, recorded_power_ = 0;
 };
 

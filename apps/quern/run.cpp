@@ -228,6 +228,9 @@ class Run {
       return 0;
     }
     if (recorder_->charge()) log_info("charge       " + recorder_->charge()->line());
+    const WindowLines& window = recorder_->window_lines();
+    if (!window.warning.empty()) log_warn(window.warning);
+    log_info("steadiness   " + window.steady);
     const Ledger& l = world_.ledger;
     if (std::isfinite(recorder_->recorded_power())) {
       log_info(fmt::format("power        {} (torque, energies and their errors in summary.json)",
@@ -236,6 +239,7 @@ class Run {
       log_info(fmt::format("power        no row of the series yet; the record starts at t = {:g} s",
                            record_start(loaded_.scene)));
     }
+    if (!window.formulas.empty()) log_info("formulas     " + window.formulas);
     log_info(fmt::format(
         "energy       walls {:.4g} J + gravity {:.4g} J = dissipated {:.4g} J + stored {:.4g} J; "
         "error {:.1e}, numerical loss {:.1e}",

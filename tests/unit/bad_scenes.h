@@ -362,8 +362,35 @@ top_width = "10 mm")",
      R"([mill]
 )",
      "[record]\nsnapshots_every = \"1 s\"\ncell_width = \"2 mm\"\n[mill]\n",
-     {R"~(27:19: error: 'snapshots_every' needs charge_shape = true)~",
+     {R"~(27:19: error: 'snapshots_every' needs charge_shape = true, classes = true or [[record.zones]])~",
       R"~(28:14: error: 'cell_width' needs charge_shape = true)~"}},
+    {"ZonesThatAreNone",
+     R"([mill]
+)",
+     R"([record]
+classes = true
+[[record.zones]]
+name = "toe zone"
+radius_from = "0.2 m"
+[[record.zones]]
+name = "toe"
+radius_from = "10 cm"
+radius_to = "5 cm"
+angle_from = "10 deg"
+angle_to = "10 deg"
+[[record.zones]]
+name = "toe"
+angle_to = "400 deg"
+radius_form = "1 m"
+[mill]
+)",
+     {R"~(29:8: error: name 'toe zone' may hold letters, digits, _ and - only)~",
+      R"~(30:15: error: 'radius_from': 0.2 m is not inside the mill's radius (0.15 m))~",
+      R"~(34:13: error: 'radius_to': 0.05 m is not above 'radius_from' (0.1 m))~",
+      R"~(36:12: error: 'angle_to': from 10 to 10 degrees is nothing)~",
+      R"~(38:8: error: the name 'toe' is taken)~",
+      R"~(39:12: error: 'angle_to': from 0 to 400 degrees is more than a full turn)~",
+      R"~(40:1: error: unknown key 'radius_form' - did you mean 'radius_from'?)~"}},
     {"CellsTooWide",
      R"([mill]
 )",

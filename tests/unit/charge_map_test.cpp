@@ -336,6 +336,47 @@ TEST(LinerAngles, WithoutHitsTheImpactToeIsTheBulkToe) {
   EXPECT_EQ(found.impact_toe, liner.shape.bulk_toe);
 }
 
+TEST(Angles, TheDynamicAngleGrowsTheWayTheMillTurns) {
+  ChargeQuery query;
+  EXPECT_NEAR(dynamic_angle(0, -2, query), 0, 1e-15);
+  EXPECT_NEAR(dynamic_angle(1, -1, query), 45 * kDegree, 1e-15);  // lifted on the +x side
+  query.direction = -1;
+  EXPECT_NEAR(dynamic_angle(-1, -1, query), 45 * kDegree, 1e-15);
+  query.up = 0;  // gravity along -x
+  EXPECT_NEAR(dynamic_angle(-3, 3, query), 45 * kDegree, 1e-15);
+}
+
+// Two spheres of one cell, one moving and of a group of its own; a third elsewhere.
+TEST(ChargeMap, CarriesAmountsWithTheVolume) {
+  const PolarGrid grid = choose_polar_grid(0.15, 0.01);
+  ChargeMap map = make_charge_map(grid, 0.04, 2);
+  const std::vector<double> x = {0.1, 0.01, 0, 0.1, 0.01, 0, -0.05, 0.02, 0};
+  const std::vector<float> r = {0.004F, 0.004F, 0.006F};
+  const std::vector<float> amount = {3, 0, 5, 1, -2, 1};
+  deposit(x, r, amount, map);
+  ChargeMap sum = make_charge_map(grid, 0.04, 2);
+  add_snapshots(map, sum);
+  add_snapshots(map, sum);
+  const std::vector<double> velocity = mean_amount(sum, 0), all = solid_fraction(sum);
+  const std::vector<double> group = solid_fraction_carrying(sum, 1);
+  double carried = 0;
+  for (std::size_t cell = 0; cell < grid.cells(); ++cell) {
+    const bool right =
+        cell % static_cast<std::size_t>(grid.angles) < static_cast<std::size_t>(grid.angles) / 4;
+    if (map.volume[cell] <= 0) {
+      EXPECT_EQ(velocity[cell], 0);
+      continue;
+    }
+    EXPECT_NEAR(velocity[cell], right ? 4 : -2, 1e-12);
+    EXPECT_NEAR(group[cell], right ? 0.5 * all[cell] : all[cell], 1e-12 * all[cell]);
+    carried += sum.carried[2 * cell];
+  }
+  const auto volume = [&](std::size_t k) {
+    return 4.0 / 3.0 * kPi * std::pow(static_cast<double>(r[k]), 3);
+  };
+  EXPECT_NEAR(carried, 2 * (8 * volume(0) - 2 * volume(2)), 1e-12);
+}
+
 TEST(Angles, OfAMillLieBetweenMinus90And270Degrees) {
   EXPECT_NEAR(principal_angle(-100 * kDegree), 260 * kDegree, 1e-15 * 10);
   EXPECT_NEAR(principal_angle(300 * kDegree), -60 * kDegree, 1e-15 * 10);

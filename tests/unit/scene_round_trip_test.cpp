@@ -191,9 +191,18 @@ void expect_same(const Scene& a, const Scene& b) {
   EXPECT_EQ(a.output.checkpoint_every, b.output.checkpoint_every);
   EXPECT_EQ(a.record.collisions, b.record.collisions);
   EXPECT_EQ(a.record.charge_shape, b.record.charge_shape);
+  EXPECT_EQ(a.record.classes, b.record.classes);
   EXPECT_EQ(a.record.snapshots_every, b.record.snapshots_every);
   EXPECT_EQ(a.record.cell_angle, b.record.cell_angle);
   EXPECT_EQ(a.record.cell_width, b.record.cell_width);
+  ASSERT_EQ(a.record.zones.size(), b.record.zones.size());
+  for (std::size_t i = 0; i < a.record.zones.size(); ++i) {
+    EXPECT_EQ(a.record.zones[i].name, b.record.zones[i].name);
+    EXPECT_EQ(a.record.zones[i].radius_from, b.record.zones[i].radius_from);
+    EXPECT_EQ(a.record.zones[i].radius_to, b.record.zones[i].radius_to);
+    EXPECT_EQ(a.record.zones[i].angle_from, b.record.zones[i].angle_from);
+    EXPECT_EQ(a.record.zones[i].angle_to, b.record.zones[i].angle_to);
+  }
 }
 
 // Written, read from another folder, and written again.
@@ -412,6 +421,15 @@ collisions = true
 snapshots_every = "20 ms"
 cell_angle = "3 deg"
 cell_width = "4 mm"
+classes = true
+[[record.zones]]
+name = "toe"
+radius_from = "100 mm"
+radius_to = "140 mm"
+angle_from = "205 deg"
+angle_to = "245 deg"
+[[record.zones]]
+angle_to = "90 deg"
 )";
 
 TEST(SceneReader, ReadsEveryKeyAndWritesItBack) {

@@ -41,6 +41,43 @@ TEST(SizeClasses, AreNumberedSpeciesBySpeciesAndClassByClass) {
   EXPECT_EQ(SizeClasses().of(0, kBall, 0.05), SizeClasses::kUnknown);
 }
 
+TEST(SizeClasses, HaveNamesAndRangesOfTheirOwn) {
+  Scene scene = mill_charge();
+  scene.particles[0].name = "ball";
+  scene.particles[1].name = "ore";
+  scene.particles[2].name = "pebble";
+  scene.particles[1].sizes.push_back(counted(0.105, 0.15, 3, kRock));
+  scene.particles[1].sizes.push_back(counted(0.105, 0.15, 3, kRock));
+  const SizeClasses classes(scene);
+  const std::vector<SizeClasses::Row>& rows = classes.rows();
+  std::vector<std::string> names;
+  for (const SizeClasses::Row& row : rows) names.push_back(row.name);
+  EXPECT_EQ(names, (std::vector<std::string>{
+                       "ball", "ore 75-105 mm", "ore 105-150 mm", "ore 15-25 mm", "ore 200 mm",
+                       "ore 105-150 mm polyhedra", "ore 105-150 mm polyhedra 2", "pebble"}));
+  EXPECT_EQ(rows[0].from, 0.125);
+  EXPECT_EQ(rows[0].to, 0.125);
+  EXPECT_EQ(rows[7].from, 0.04);
+  EXPECT_EQ(rows[7].to, 0.08);
+}
+
+// The frame's energies are what the run itself reports.
+TEST(EnergyFrames, HoldTheMassesOfTheCharge) {
+  const World<double> world = world_of<double>(mill_charge());
+  const ParticleFrame frame = particle_frame(world);
+  const EnergyFrame energy = energy_frame(world);
+  double mass = 0;
+  for (const double m : energy.mass) mass += m;
+  EXPECT_NEAR(mass, world.total_mass, 1e-9 * mass);
+  for (std::size_t i = 0; i < energy.mass.size(); ++i) {
+    const Eigen::Vector3f spin(&frame.spin[3 * i]);
+    const double radius = frame.radius[i];
+    EXPECT_NEAR(energy.rotational_energy[i],
+                0.2 * energy.mass[i] * radius * radius * spin.cast<double>().squaredNorm(),
+                1e-5 * energy.rotational_energy[i]);
+  }
+}
+
 template <class Real>
 class SizeClassesInFrames : public testing::Test {};
 TYPED_TEST_SUITE(SizeClassesInFrames, test::Precisions, test::Names);
