@@ -58,7 +58,7 @@ void CollisionTally::end_episode(std::size_t kind, double dissipated, double app
                     static_cast<std::uint16_t>(energy_bin(approach)), dissipated, approach});
 }
 
-void CollisionTally::add_to(Collisions& all) const {
+void CollisionTally::add_to(Collisions& all, double dt) const {
   const bool opening = all.recording == Recording::kOpening;
   for (std::size_t kind = 0; kind < kinds_.size(); ++kind) {
     if (opening) {
@@ -73,6 +73,11 @@ void CollisionTally::add_to(Collisions& all) const {
     count(all.spectra[e.kind].approach, e.approach_bin, e.approach);
   }
   for (const Binned& e : begun_) count(all.spectra[e.kind].impact, e.bin, e.energy);
+  if (all.liner.empty()) return;
+  LinerHistogram& liner = all.liner[all.liner_block];
+  for (const OnLiner& t : liner_) {
+    add_to_liner(t.angle, dt, t.normal_dissipation, t.touch, liner);
+  }
 }
 
 }  // namespace quern

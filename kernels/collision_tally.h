@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "kernels/liner_histogram.h"
 #include "soa/collisions.h"
 #include "soa/groups.h"
 
@@ -23,14 +24,21 @@ class CollisionTally {
     kinds_.assign(groups.kinds(), ContactEnergies());
     ended_.clear();
     begun_.clear();
+    liner_.clear();
   }
   const Groups& groups() const { return *groups_; }
   void add(std::size_t kind, const ContactEnergies& energies) { kinds_[kind].add(energies); }
   void begin_episode(std::size_t kind, double impact);
   void end_episode(std::size_t kind, double dissipated, double approach);
 
+  // A contact with a mill's liner at `angle` (rad, about the axis) that lost so much (J) to damping
+  // along the normal in this step.
+  void touch_liner(double angle, double normal_dissipation, LinerTouch touch) {
+    liner_.push_back({angle, normal_dissipation, touch});
+  }
+
   // To the sums of now: the opening step sets the energies of the springs and counts nothing.
-  void add_to(Collisions& all) const;
+  void add_to(Collisions& all, double dt) const;
 
  private:
   struct Binned {
@@ -40,7 +48,12 @@ class CollisionTally {
   };
   const Groups* groups_ = nullptr;
   std::vector<ContactEnergies> kinds_;
+  struct OnLiner {
+    double angle, normal_dissipation;
+    LinerTouch touch;
+  };
   std::vector<Binned> ended_, begun_;
+  std::vector<OnLiner> liner_;
 };
 
 }  // namespace quern

@@ -11,14 +11,7 @@
 
 namespace quern {
 
-// One degree: a shell that turns by much more than a bin smooths what its lifters do.
-inline constexpr std::size_t kLinerBins = 360;
-
 enum class LinerTouch { kSlow, kHit };
-
-inline LinerHistogram make_liner_histogram(std::size_t bins = kLinerBins) {
-  return {std::vector<double>(bins, 0), std::vector<double>(bins, 0)};
-}
 
 // How fast (m/s) an approach makes a hit, in a shell of `radius` that turns at `rate` (rad/s).
 inline double hit_speed(double rate, double radius) noexcept {

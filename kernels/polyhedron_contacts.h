@@ -2,9 +2,10 @@
 //
 // collect: the narrow phase of every listed pair and wall candidate writes what touches, or did a
 // step ago, into lanes. A pair or wall found apart is not looked at again until the distance found
-// may have been used up, see Apart. push: the law (kernels/body_contacts). finish: patch moments, energies in
-// order, springs back into World. A pair belongs to the stretch of its lower body and is evaluated
-// once; other stretches read its force afterwards. Scalar f64 but for the law: such contacts are few.
+// may have been used up, see Apart. push: the law (kernels/body_contacts). finish: patch moments,
+// energies in order, springs back into World. A pair belongs to the stretch of its lower body and
+// is evaluated once; other stretches read its force afterwards. Scalar f64 but for the law: such
+// contacts are few.
 #pragma once
 
 #include <algorithm>
@@ -15,6 +16,7 @@
 #include "kernels/body_contacts.h"
 #include "kernels/collision_tally.h"
 #include "kernels/pairs/polyhedron_facet.h"
+#include "kernels/wall_collisions.h"
 #include "soa/world.h"
 
 namespace quern {
@@ -63,8 +65,9 @@ struct ApartFromWall {
 // A body as its contacts see it in this step, in one place: made once a step from the columns. What
 // tells that a pair is apart still lies in the first cache line.
 struct alignas(kAlignment) BodyNow {
-  double reach = 0;   // m, radius of the bounding sphere
-  double turned = 0;  // m, way that turning has carried its points since the lists were built, at most
+  double reach = 0;  // m, radius of the bounding sphere
+  double turned =
+      0;  // m, way that turning has carried its points since the lists were built, at most
   BodyState state;
   ShapePose pose;
   Quat orientation = Quat::Identity();
@@ -78,13 +81,13 @@ struct PairBodies {
 struct BodyTable {
   std::vector<BodyNow> body;
   std::vector<PairBodies> pair_bodies;  // of each listed pair: their records are large
-  std::vector<Apart> pairs;          // of each listed pair
-  std::vector<std::uint8_t> touches;  // each listed pair
-  std::vector<ApartFromWall> walls;  // of each entry of wall candidates
+  std::vector<Apart> pairs;             // of each listed pair
+  std::vector<std::uint8_t> touches;    // each listed pair
+  std::vector<ApartFromWall> walls;     // of each entry of wall candidates
 };
 
-// How far the turn from one orientation to another moves points within `reach` of the centre, at most:
-// |q1 - q0| = 2 sin(angle / 4), and points move by no more than 2 reach sin(angle / 2).
+// How far the turn from one orientation to another moves points within `reach` of the centre, at
+// most: |q1 - q0| = 2 sin(angle / 4), and points move by no more than 2 reach sin(angle / 2).
 inline double way_of_points(const Quat& from, const Quat& to, double reach) {
   const double chord2 = std::min((to.coeffs() - from.coeffs()).squaredNorm(),
                                  (to.coeffs() + from.coeffs()).squaredNorm());
@@ -160,6 +163,11 @@ class PolyhedronContacts {
   // Lane k, between the law and what finish() stores of it.
   void record(World<Real>& world, std::size_t k, const ContactTally& energies,
               PolyhedronCollisions& collisions) const;
+  void record_pair(World<Real>& world, std::size_t k, const ContactEnergies& energies,
+                   CollisionTally& tally) const;
+  void record_wall(World<Real>& world, std::size_t k, const ContactEnergies& energies,
+                   PolyhedronCollisions& collisions) const;
+  Arrival arrival(std::size_t k) const;
   void put(int row, const Vec3& v);
   void put(int row, double v) { numbers_[static_cast<std::size_t>(row) * stride_ + count_] = v; }
   double get(int row, std::size_t k) const {

@@ -1,13 +1,11 @@
 #include "kernels/wall_collisions.h"
 
+#include <cmath>
+
 namespace quern {
 
 namespace {
 
-// 1/2 m v_n^2 and 1/2 m |v|^2 of a sphere that comes to a wall, v at the contact point.
-struct Arrival {
-  double approach, impact;  // J
-};
 template <class Real>
 Arrival arrival(const Particles<Real>& p, const WallContacts& c, std::size_t k) {
   const auto geometry = [&](int row) {
@@ -22,43 +20,74 @@ Arrival arrival(const Particles<Real>& p, const WallContacts& c, std::size_t k) 
   return {0.5 * mass * along * along, 0.5 * mass * v.squaredNorm()};
 }
 
+// In this step; D = -W - (U - U_old).
+double normal_dissipation(const ContactEnergies& e, double elastic_before) {
+  return -e.work - (e.elastic - elastic_before) - e.slide - e.tangential_damping;
+}
+
 }  // namespace
+
+template <class Real>
+Episode follow_wall_contact(const World<Real>& world, std::size_t kind, const WallTold& told,
+                            const Episode* before, const Arrival& arrival, CollisionTally& tally) {
+  const CollisionsAsked& asked = world.collisions_asked;
+  const ContactEnergies& e = told.energies;
+  if (asked.kinds) tally.add(kind, e);
+  if (world.collisions.recording == Recording::kOpening) return {e.elastic, 0, e.elastic};
+  Episode now;
+  if (before != nullptr) {
+    now = *before;
+  } else {
+    now.approach = arrival.approach;
+    if (asked.kinds) tally.begin_episode(kind, arrival.impact);
+  }
+  if (told.wall == asked.liner) {
+    const Body& body = world.bodies[world.walls[told.wall].body];
+    const double fast = hit_speed(body.velocity.spin.norm(), asked.mill_radius);
+    const bool hit = now.approach > 0.5 * told.mass * fast * fast;
+    tally.touch_liner(std::atan2(told.point.y(), told.point.x()),
+                      normal_dissipation(e, now.elastic),
+                      hit ? LinerTouch::kHit : LinerTouch::kSlow);
+  }
+  now.energy -= e.work;
+  now.elastic = e.elastic;
+  if (!told.touches && asked.kinds) tally.end_episode(kind, now.energy, now.approach);
+  return now;
+}
 
 template <class Real>
 void record_wall_contacts(const World<Real>& world, const WallContacts& contacts,
                           const WallLanes& lanes, TileWalls& tile, CollisionTally& tally) {
-  const bool opening = world.collisions.recording == Recording::kOpening;
+  const Particles<Real>& p = world.particles;
   std::vector<Episode> now;
   now.reserve(lanes.size());
   for (std::size_t k = 0; k < lanes.size(); ++k) {
     const Index particle = contacts.particle[k];
-    const std::size_t kind = world.groups.kind(tag_group(world.particles.traits[particle].tag),
-                                               world.walls[lanes.wall(k)].group);
-    const ContactEnergies energies = {contacts.energies[0][k], contacts.energies[1][k],
-                                      contacts.energies[2][k], contacts.energies[3][k]};
-    tally.add(kind, energies);
-    if (opening) {
-      if (lanes.is_open(k)) now.push_back({energies.elastic, 0});
-      continue;
-    }
-    Episode episode;
-    if (const WallSpring* old = lanes.old(k)) {
-      episode = tile.episodes[static_cast<std::size_t>(old - tile.springs.data())];
-    } else {
-      const Arrival came = arrival(world.particles, contacts, k);
-      episode.approach = came.approach;
-      tally.begin_episode(kind, came.impact);
-    }
-    episode.energy -= energies.work;
-    if (lanes.is_open(k)) {
-      now.push_back(episode);
-    } else {
-      tally.end_episode(kind, episode.energy, episode.approach);
-    }
+    const std::size_t kind =
+        world.groups.kind(tag_group(p.traits[particle].tag), world.walls[lanes.wall(k)].group);
+    WallTold told;
+    told.energies = {contacts.energies[0][k], contacts.energies[1][k], contacts.energies[2][k],
+                     contacts.energies[3][k]};
+    told.point = lanes.point(k);
+    told.wall = lanes.wall(k);
+    told.touches = lanes.is_open(k);
+    told.mass = 1 / static_cast<double>(p.traits[particle].inverse_mass);
+    const WallSpring* old = lanes.old(k);
+    // The opening step has no episodes yet.
+    const bool known = old != nullptr && !tile.episodes.empty();
+    const Episode* before =
+        known ? &tile.episodes[static_cast<std::size_t>(old - tile.springs.data())] : nullptr;
+    const Arrival came = old == nullptr ? arrival(p, contacts, k) : Arrival{0, 0};
+    const Episode episode = follow_wall_contact(world, kind, told, before, came, tally);
+    if (told.touches) now.push_back(episode);
   }
   tile.episodes = std::move(now);
 }
 
+template Episode follow_wall_contact(const World<float>&, std::size_t, const WallTold&,
+                                     const Episode*, const Arrival&, CollisionTally&);
+template Episode follow_wall_contact(const World<double>&, std::size_t, const WallTold&,
+                                     const Episode*, const Arrival&, CollisionTally&);
 template void record_wall_contacts(const World<float>&, const WallContacts&, const WallLanes&,
                                    TileWalls&, CollisionTally&);
 template void record_wall_contacts(const World<double>&, const WallContacts&, const WallLanes&,

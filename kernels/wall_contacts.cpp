@@ -152,6 +152,11 @@ void WallLanes::push(const WallTouchNow& now, const WallSpring* old, const Body&
   put(kPoint, now.point);
 }
 
+Vec3 WallLanes::point(std::size_t k) const {
+  const double* const lane = numbers_.data() + kPoint * stride_ + k;
+  return {lane[0], lane[stride_], lane[2 * stride_]};
+}
+
 WallSpring WallLanes::spring(std::size_t k) const {
   const double* const lane = numbers_.data() + k;
   const auto get = [&](std::size_t row) {

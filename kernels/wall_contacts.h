@@ -53,6 +53,7 @@ class WallLanes {
   // Lane k as the kernel left it.
   WallSpring spring(std::size_t k) const;
   Index wall(std::size_t k) const { return wall_[k]; }
+  Vec3 point(std::size_t k) const;  // m
   // The spring that it goes on from, of those that were collected from, or null.
   const WallSpring* old(std::size_t k) const { return old_[k]; }
   bool is_open(std::size_t k) const { return numbers_[3 * stride_ + k] > 0; }

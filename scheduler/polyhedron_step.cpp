@@ -137,7 +137,7 @@ void BodyStepper<Real>::run_tile(std::size_t tile, int worker, const TileRows& r
     scratch.near.add(narrow_, batch, g, body.state, body.pose, lanes);
   }
   if (scratch.near.empty()) return;
-  const Recording recording = world_.collisions.recording;
+  const Recording recording = constants_.recording;
   kernels_.push_spheres(constants_, view,
                         scratch.near.view(rows.first, world_.overlap_cap, recording), rows, tally);
   if (collisions != nullptr) scratch.near.record(view, recording, *collisions);
@@ -318,8 +318,8 @@ void BodyStepper<Real>::add_to(ContactTally& pairs, ContactTally& walls, double&
 }
 
 template <class Real>
-void BodyStepper<Real>::add_collisions(Collisions& all) const {
-  for (const Stretch& s : stretches_) s.collisions.tally.add_to(all);
+void BodyStepper<Real>::add_collisions(Collisions& all, double dt) const {
+  for (const Stretch& s : stretches_) s.collisions.tally.add_to(all, dt);
 }
 
 template <class Real>

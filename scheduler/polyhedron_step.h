@@ -43,7 +43,7 @@ class BodyStepper {
   // In order of stretches.
   void add_to(ContactTally& pairs, ContactTally& walls, double& model_work, MoveTally& move,
               std::vector<WallTotal>& totals) const;
-  void add_collisions(Collisions& all) const;  // while they are recorded, likewise
+  void add_collisions(Collisions& all, double dt) const;  // while they are recorded, likewise
   Fallbacks fallbacks() const;  // of this step
 
  private:

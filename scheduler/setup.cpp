@@ -440,6 +440,11 @@ World<Real> make_world(const Scene& scene, SceneGeometry geometry,
   world.bodies = std::move(geometry.bodies);
   world.size_classes = SizeClasses(scene);
   world.groups = Groups(scene);
+  world.collisions_asked.kinds = scene.record.collisions;
+  if (scene.mill && scene.record.charge_shape) {
+    world.collisions_asked.liner = 0;  // the mill's walls come first
+    world.collisions_asked.mill_radius = 0.5 * scene.mill->diameter;
+  }
   world.shapes = std::move(shapes);
   world.patch = {scene.contact.overlap, scene.contact.normal_model,
                  scene.contact.volume_stiffness.value_or(0), scene.contact.patch_damping};

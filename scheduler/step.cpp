@@ -39,7 +39,8 @@ void Stepper<Real>::prepare() {
     c.clamped = world_.clamped;
     c.rolling = world_.rolling;
     c.damped = world_.damped;
-    c.recording = world_.collisions.recording;
+    // Of pairs; contacts with walls are followed if anything is asked.
+    c.recording = world_.collisions_asked.kinds ? world_.collisions.recording : Recording::kOff;
     c.groups = static_cast<Index>(world_.groups.of_particles());
     c.nearest2 = HUGE_VAL;
     for (std::size_t a = 0; a < 3; ++a) {
@@ -115,6 +116,7 @@ void Stepper<Real>::run_tile(std::size_t tile, int worker) {
   run_walls(tile, w, rows, collisions);
   w.times.add(Stage::kSphereWalls, watch);
 
+  if (!world_.collisions_asked.kinds) collisions = nullptr;
   push_tile_pairs(kernels_, constants_, {p.record.data(), p.traits.data()}, world_.pairs, tile,
                   rows, w.pairs, totals.pairs, collisions);
   w.times.add(Stage::kSpherePairs, watch);
@@ -286,12 +288,13 @@ template <class Real>
 void Stepper<Real>::account_collisions() {
   Collisions& all = world_.collisions;
   for (ContactEnergies& kind : all.kinds) kind.elastic = 0;
-  for (const CollisionTally& tile : tile_collisions_) tile.add_to(all);
-  if (bodies_) bodies_->add_collisions(all);
+  const double dt = world_.clock.dt;
+  for (const CollisionTally& tile : tile_collisions_) tile.add_to(all, dt);
+  if (bodies_) bodies_->add_collisions(all, dt);
   if (all.recording == Recording::kOpening) {
     all.recording = Recording::kOn;
     all.start = world_.ledger;
-    world_.pairs.episodes = true;
+    world_.pairs.episodes = world_.collisions_asked.kinds;
   } else {
     all.steps += 1;
   }

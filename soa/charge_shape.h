@@ -78,6 +78,13 @@ struct LinerHistogram {
   bool empty() const { return contact_time.empty(); }
 };
 
+// One degree: a shell that turns by much more than a bin smooths what its lifters do.
+inline constexpr std::size_t kLinerBins = 360;
+
+inline LinerHistogram make_liner_histogram(std::size_t bins = kLinerBins) {
+  return {std::vector<double>(bins, 0), std::vector<double>(bins, 0)};
+}
+
 struct LinerAngles {
   bool head_found = false;
   bool impacts_found = false;       // else impact_toe is the bulk toe

@@ -1,5 +1,6 @@
 #include "soa/collisions.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace quern {
@@ -21,6 +22,24 @@ void visit_rows(StateVisitor& v, const char* name, std::vector<Row>& rows) {
 
 }  // namespace
 
+void Collisions::visit_liner(StateVisitor& v) {
+  constexpr std::size_t kWidth = 2 * kLinerBins;
+  Column<double> numbers;
+  numbers.reset(liner.size() * kWidth);
+  for (std::size_t k = 0; k < liner.size(); ++k) {
+    std::copy_n(liner[k].contact_time.begin(), kLinerBins, numbers.begin() + k * kWidth);
+    std::copy_n(liner[k].hit_dissipation.begin(), kLinerBins,
+                numbers.begin() + k * kWidth + kLinerBins);
+  }
+  v.column("collisions/liner", "s, J", numbers, kWidth);
+  liner.assign(numbers.size() / kWidth, make_liner_histogram());
+  for (std::size_t k = 0; k < liner.size(); ++k) {
+    std::copy_n(numbers.begin() + k * kWidth, kLinerBins, liner[k].contact_time.begin());
+    std::copy_n(numbers.begin() + k * kWidth + kLinerBins, kLinerBins,
+                liner[k].hit_dissipation.begin());
+  }
+}
+
 void Collisions::visit(StateVisitor& v) {
   v.later_values("collisions/recording", "1", ElementType::kU64, &recording, 1);
   if (recording != Recording::kOn) return;
@@ -29,6 +48,7 @@ void Collisions::visit(StateVisitor& v) {
   visit_rows(v, "collisions/kinds", kinds);
   visit_rows(v, "collisions/start_elastic", start_elastic);
   visit_rows(v, "collisions/spectra", spectra);
+  visit_liner(v);
 }
 
 }  // namespace quern

@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "soa/charge_shape.h"
 #include "soa/column.h"
 #include "soa/ledger.h"
 #include "soa/state.h"
@@ -55,8 +56,20 @@ struct KindSpectra {
 struct Episode {
   double energy = 0;    // J, dissipated so far and stored
   double approach = 0;  // J, 1/2 m_e v_n^2 at first touch
+  double elastic = 0;   // J, stored in the springs
 };
-static_assert(sizeof(Episode) == 2 * sizeof(double), "saved as bytes");
+static_assert(sizeof(Episode) == 3 * sizeof(double), "saved as bytes");
+
+// What of it a scene asks for.
+struct CollisionsAsked {
+  bool kinds = false;  // energies and spectra by kind of collision
+  Index liner =
+      kNoIndex;  // the wall that is a mill's liner, if what it feels around the shell is asked for
+  double mill_radius = 0;  // m
+  bool any() const { return kinds || liner != kNoIndex; }
+};
+// The recorded window is told in so many parts.
+inline constexpr std::size_t kLinerBlocks = 10;
 
 struct Collisions {
   Recording recording = Recording::kOff;
@@ -65,6 +78,8 @@ struct Collisions {
   std::vector<ContactEnergies> kinds;
   std::vector<double> start_elastic;  // J, of each kind, when recording began
   std::vector<KindSpectra> spectra;   // of each kind
+  std::vector<LinerHistogram> liner;  // of each tenth of the recorded window, if asked for
+  std::size_t liner_block = 0;        // which of them the next step belongs to; not saved
 
   bool on() const { return recording != Recording::kOff; }
   double dissipated(std::size_t kind) const {
@@ -74,14 +89,18 @@ struct Collisions {
     return dissipated(kind) - kinds[kind].slide - kinds[kind].tangential_damping;
   }
   // The next step is the opening one.
-  void begin(std::size_t all_kinds) {
+  void begin(std::size_t all_kinds, const CollisionsAsked& asked) {
     *this = Collisions();
     recording = Recording::kOpening;
+    if (asked.liner != kNoIndex) liner.assign(kLinerBlocks, make_liner_histogram());
     kinds.resize(all_kinds);
     start_elastic.resize(all_kinds);
     spectra.resize(all_kinds);
   }
   void visit(StateVisitor& v);
+
+ private:
+  void visit_liner(StateVisitor& v);
 };
 
 }  // namespace quern

@@ -7,6 +7,26 @@
 
 namespace quern {
 
+namespace {
+
+// As a column and back.
+void visit_episodes(StateVisitor& v, std::vector<Episode>& episodes) {
+  constexpr std::size_t kWidth = sizeof(Episode) / sizeof(double);
+  Column<double> numbers;
+  numbers.reset(kWidth * episodes.size());
+  if (!episodes.empty()) {
+    std::memcpy(numbers.data(), episodes.data(), episodes.size() * sizeof(Episode));
+  }
+  v.column("walls/episodes", "J", numbers, kWidth);
+  episodes.resize(numbers.size() / kWidth);
+  if (!episodes.empty()) {
+    std::memcpy(static_cast<void*>(episodes.data()), numbers.data(),
+                episodes.size() * sizeof(Episode));
+  }
+}
+
+}  // namespace
+
 template <class Real>
 typename World<Real>::PackedWalls World<Real>::pack_walls() const {
   PackedWalls p;
@@ -16,7 +36,6 @@ typename World<Real>::PackedWalls World<Real>::pack_walls() const {
     entries += t.candidates.particle.size();
     facets += t.candidates.facet.size();
   }
-  p.episodes.reset(2 * (collisions.recording == Recording::kOn ? springs : 0));
   p.spring_bytes.reset(springs * sizeof(WallSpring));
   p.spring_tile.reset(springs);
   for (Column<Index>* c : {&p.entry_tile, &p.entry_particle, &p.entry_body, &p.entry_facets}) {
@@ -26,10 +45,7 @@ typename World<Real>::PackedWalls World<Real>::pack_walls() const {
   std::size_t s = 0, e = 0, f = 0;
   for (std::size_t tile = 0; tile < tile_walls.size(); ++tile) {
     const TileWalls& t = tile_walls[tile];
-    for (std::size_t k = 0; k < t.episodes.size(); ++k) {
-      p.episodes[2 * (s + k)] = t.episodes[k].energy;
-      p.episodes[2 * (s + k) + 1] = t.episodes[k].approach;
-    }
+    p.episodes.insert(p.episodes.end(), t.episodes.begin(), t.episodes.end());
     for (const WallSpring& spring : t.springs) {
       std::memcpy(p.spring_bytes.data() + s * sizeof(WallSpring), &spring, sizeof(WallSpring));
       p.spring_tile[s++] = static_cast<Index>(tile);
@@ -60,7 +76,7 @@ void World<Real>::unpack_walls(const PackedWalls& p) {
                 sizeof(WallSpring));
     TileWalls& tile = tile_walls.at(p.spring_tile[s]);
     tile.springs.push_back(spring);
-    if (!p.episodes.empty()) tile.episodes.push_back({p.episodes[2 * s], p.episodes[2 * s + 1]});
+    if (!p.episodes.empty()) tile.episodes.push_back(p.episodes[s]);
   }
   std::size_t f = 0;
   for (std::size_t e = 0; e < p.entry_tile.size(); ++e) {
@@ -76,12 +92,12 @@ template <class Real>
 void World<Real>::visit(StateVisitor& v) {
   particles.visit(v);
   collisions.visit(v);
-  pairs.episodes = collisions.recording == Recording::kOn;
+  pairs.episodes = collisions.recording == Recording::kOn && collisions_asked.kinds;
   pairs.visit(v);
-  if (!shapes.empty()) polyhedra.visit(v, pairs.episodes);
+  if (!shapes.empty()) polyhedra.visit(v, collisions.recording == Recording::kOn);
   PackedWalls packed = pack_walls();
   v.column("walls/springs", "m, N, N m", packed.spring_bytes, sizeof(WallSpring));
-  if (pairs.episodes) v.column("walls/episodes", "J", packed.episodes, 2);
+  if (collisions.recording == Recording::kOn) visit_episodes(v, packed.episodes);
   v.column("walls/spring_tile", "1", packed.spring_tile, 1);
   v.column("walls/entry_tile", "1", packed.entry_tile, 1);
   v.column("walls/entry_particle", "1", packed.entry_particle, 1);

@@ -132,6 +132,7 @@ struct World {
   double total_mass = 0;
   SizeClasses size_classes;
   Groups groups;
+  CollisionsAsked collisions_asked;
   std::vector<Shape> shapes;    // of the polyhedra
   PatchLaw patch;
   double drag = 1;              // velocity factor of the soft phase
@@ -156,7 +157,7 @@ struct World {
 
   // Collisions are recorded from after the next step on.
   void begin_recording() {
-    collisions.begin(groups.kinds());
+    collisions.begin(groups.kinds(), collisions_asked);
     polyhedra.pair_episodes.assign(polyhedra.pairs.size(), Episode());
   }
   void end_recording() {
@@ -181,7 +182,7 @@ struct World {
  private:
   struct PackedWalls {
     Column<std::uint8_t> spring_bytes;
-    Column<double> episodes;  // energy, approach of each spring
+    std::vector<Episode> episodes;  // of each spring, while collisions are recorded
     Column<Index> spring_tile, entry_tile, entry_particle, entry_body, entry_facets, facet;
   };
   PackedWalls pack_walls() const;

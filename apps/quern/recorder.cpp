@@ -260,6 +260,7 @@ void Recorder::write_summary(World<Real>& world, const RunFigures& figures) {
       report_window(scene_, {record_from_, world.time(), first}, f, world.total_mass, series_, s);
   if (classes_) classes_->finish(world.clock.step, series_);
   if (charge_) {
+    charge_->set_liner(world.collisions.liner);
     charge_->finish(world.clock.step, f, series_, s);
     charge_->write_picture(folder_ + "/charge_shape.svg");
   }

@@ -1,6 +1,7 @@
 // Recorder: everything a run leaves in its folder while and after it runs.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,9 +39,11 @@ class Recorder {
   // Before a step of the run phase: recording may begin.
   template <class Real>
   void before_step(World<Real>& world) const {
-    if (collisions_ && world.clock.step + 1 >= first_step_ && !world.collisions.on()) {
-      world.begin_recording();
-    }
+    if (!world.collisions_asked.any() || world.clock.step + 1 < first_step_) return;
+    if (!world.collisions.on()) world.begin_recording();
+    if (!snapshots_) return;
+    const std::uint64_t block = snapshots_->block(world.clock.step + 1, kLinerBlocks);
+    world.collisions.liner_block = std::min<std::size_t>(block, kLinerBlocks - 1);
   }
   // After a step of the run phase: writes the series row, the frame and the snapshot of the charge
   // that are due.
@@ -61,10 +64,6 @@ class Recorder {
   double last_power() const { return last_power_; }
   double recorded_power() const { return recorded_power_; }  // after write_summary()
   const std::optional<ChargeRecorder>& charge() const { return charge_; }
-  // Before write_summary(), where the contacts with the liner were watched: see ChargeRecorder.
-  void set_liner(std::vector<LinerHistogram> blocks) {
-    if (charge_) charge_->set_liner(std::move(blocks));
-  }
   const WindowLines& window_lines() const { return window_lines_; }  // after write_summary()
 
  private:

@@ -86,6 +86,7 @@ TYPED_TEST(CollisionsOf, ASphereAgainstAWallAreOneEpisodeWithItsLoss) {
   const double diameter = 1.0 / 64, mass = sphere_mass(diameter), speed = 1.5;
   const double dt = normal_contact_time(mass, Law().kn) / 30;
   Scene scene = small_scene(Law(), dt);
+  scene.record.collisions = true;
   add_plane(scene, Vec3::Zero(), Vec3::UnitZ());
   add_sphere(scene, diameter, {0, 0, 0.51 * diameter}, {0, 0, -speed});
   World<TypeParam> world = world_of<TypeParam>(scene);
@@ -108,6 +109,7 @@ TYPED_TEST(CollisionsOf, AnObliqueHitKnowHowItCame) {
   const double diameter = 1.0 / 64, mass = sphere_mass(diameter), reduced = 0.5 * mass;
   const double dt = normal_contact_time(reduced, Law().kn) / 30;
   Scene scene = small_scene(Law(), dt);
+  scene.record.collisions = true;
   ParticleSpec balls = scene.particles[0];
   balls.name = "ball";
   balls.explicit_particles.clear();
@@ -148,6 +150,7 @@ TYPED_TEST(CollisionsOf, ARollingSphereAreOneThatGoesOn) {
   law.kt = 4e4;
   law.rolling = 0.01;
   Scene scene = small_scene(law, dt);
+  scene.record.collisions = true;
   scene.run.gravity = Vec3(0, 0, -9.81);
   add_plane(scene, Vec3::Zero(), Vec3::UnitZ());
   const double sunk = sphere_mass(diameter) * 9.81 / law.kn;
@@ -165,8 +168,8 @@ TYPED_TEST(CollisionsOf, ARollingSphereAreOneThatGoesOn) {
 
 // A mill with two species, recorded from the middle of its motion.
 TYPED_TEST(CollisionsOf, AMillAddUpToWhatItDissipates) {
-  World<TypeParam> world =
-      world_of<TypeParam>(shipped_scene("lab_mill_spheres", {"run.settle=none"}));
+  World<TypeParam> world = world_of<TypeParam>(
+      shipped_scene("lab_mill_spheres", {"run.settle=none", "record.collisions=true"}));
   Stepper<TypeParam> stepper(world, 2);
   run_until(world, stepper, 0.1);
   world.begin_recording();
@@ -179,7 +182,8 @@ TYPED_TEST(CollisionsOf, AMillAddUpToWhatItDissipates) {
 }
 
 TEST(Collisions, OfPolyhedraAddUpToWhatTheyDissipate) {
-  World<float> world = world_of<float>(shipped_scene("lab_mill", {"run.settle=none"}));
+  World<float> world =
+      world_of<float>(shipped_scene("lab_mill", {"run.settle=none", "record.collisions=true"}));
   Stepper<float> stepper(world, 2);
   run_until(world, stepper, 0.1);
   world.begin_recording();
@@ -207,8 +211,8 @@ std::map<std::size_t, std::set<std::uint64_t>> touching(const World<Real>& world
 }
 
 void expect_counted(const std::string& target) {
-  World<float> world =
-      world_of<float>(shipped_scene("lab_mill_spheres", {"run.settle=none", "run.tile_size=32"}));
+  World<float> world = world_of<float>(shipped_scene(
+      "lab_mill_spheres", {"run.settle=none", "run.tile_size=32", "record.collisions=true"}));
   Stepper<float> stepper(world, 1);
   run_until(world, stepper, 0.06);
   world.begin_recording();
@@ -252,6 +256,10 @@ std::vector<double> numbers_of(const World<float>& world) {
       all.insert(all.end(), one->energy.begin(), one->energy.end());
     }
   }
+  for (const LinerHistogram& part : world.collisions.liner) {
+    all.insert(all.end(), part.contact_time.begin(), part.contact_time.end());
+    all.insert(all.end(), part.hit_dissipation.begin(), part.hit_dissipation.end());
+  }
   for (const OpenEpisodes& open : open_episodes(world)) {
     all.insert(all.end(), {open.count, open.dissipated});
   }
@@ -263,6 +271,8 @@ class RecordedRun {
  public:
   RecordedRun(const std::string& scene, std::vector<std::string> overrides) {
     overrides.push_back("run.settle=none");
+    overrides.push_back("record.collisions=true");
+    overrides.push_back("record.charge_shape=true");
     scene_ = shipped_scene(scene, overrides);
     World<float> world = world_of<float>(scene_);
     advance(world, {}, 8000);
@@ -290,10 +300,25 @@ class RecordedRun {
   std::uint64_t unrecorded_;
 };
 
+// All contacts with the liner are in its histogram: their time, and the damping of those that hit.
+void expect_liner(const World<float>& world) {
+  ASSERT_EQ(world.collisions.liner.size(), kLinerBlocks);
+  double time = 0, hits = 0, of_kinds = 0;
+  for (const double t : world.collisions.liner[0].contact_time) time += t;
+  for (const double d : world.collisions.liner[0].hit_dissipation) hits += d;
+  for (std::size_t group = 0; group < 2; ++group) {
+    of_kinds += world.collisions.normal_damping(world.groups.kind(group, 2));
+  }
+  EXPECT_GT(time, 10 * world.collisions.steps * world.clock.dt);
+  EXPECT_GT(hits, 0);
+  EXPECT_LT(hits, of_kinds);
+}
+
 void expect_same_whatever(const RecordedRun& run) {
   const std::unique_ptr<World<float>> world = run.run({});
   const std::vector<double> one = numbers_of(*world);
   EXPECT_GT(world->clock.rebuilds, 3u);
+  expect_liner(*world);
   EXPECT_EQ(state_hash(*world), run.unrecorded()) << "recording must not change the motion";
   EXPECT_EQ(numbers_of(*run.run({.threads = 2, .shuffle = 7})), one);
   EXPECT_EQ(numbers_of(*run.run({.threads = 3})), one);
