@@ -13,6 +13,7 @@
 
 #include "apps/quern/load.h"
 #include "apps/quern/recorder.h"
+#include "apps/quern/report.h"
 #include "apps/quern/start.h"
 #include "io/checkpoint.h"
 #include "io/file_commit.h"
@@ -266,14 +267,16 @@ class Run {
   bool stopped_ = false;
 };
 
+// The page is made once all files are closed.
 int start(LoadedScene loaded, const RunOptions& options, const std::string& checkpoint) {
   return_large_blocks();
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
-  if (loaded.scene.run.precision == Precision::kDouble) {
-    return Run<double>(std::move(loaded), options, checkpoint).go();
-  }
-  return Run<float>(std::move(loaded), options, checkpoint).go();
+  const int code = loaded.scene.run.precision == Precision::kDouble
+                       ? Run<double>(std::move(loaded), options, checkpoint).go()
+                       : Run<float>(std::move(loaded), options, checkpoint).go();
+  write_report_of_run(options.out);
+  return code;
 }
 
 }  // namespace
