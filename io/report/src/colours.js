@@ -19,8 +19,12 @@ function table(hexes, size = 256) {
   return out;
 }
 
+// Of the liner: from its own grey to dark red.
+const WEAR = ["99a1ac", "c9bb86", "f0b23e", "ea7a2c", "c8392b", "8e1530", "560a2a"];
+
 export const viridis = table(VIRIDIS);
 export const heat = table(HEAT);
+export const wear = table(WEAR);
 export const diverging = table(DIVERGING);
 
 // Up to eight kinds that are told apart on light and dark ground.

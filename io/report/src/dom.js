@@ -46,9 +46,10 @@ export function uniqueId(stem) {
   return `${stem}-${names}`;
 }
 
-// A table whose first column is names; cells are texts or elements.
-export function dataTable(caption, head, rows) {
-  return el("div", { class: "table", tabindex: "0", role: "group", "aria-label": caption },
+// A table whose first column is names; cells are texts or elements. look: "quiet" (a heading stands
+// above already), "text" (columns of words).
+export function dataTable(caption, head, rows, look = "") {
+  return el("div", { class: `table ${look}`, tabindex: "0", role: "group", "aria-label": caption },
     el("table", {}, el("caption", {}, caption),
       el("thead", {}, el("tr", {}, head.map((text) => el("th", { scope: "col" }, text)))),
       el("tbody", {}, rows.map((row) => el("tr", { class: row.strong ? "strong" : null },

@@ -37,6 +37,35 @@ function grouped(text) {
   return part === undefined ? spaced : `${spaced}.${part}`;
 }
 
+// As few digits as the number has, at most `most`: 0.3, 30, 1.25.
+export function plain(value, most = 4) {
+  if (!Number.isFinite(value)) return "–";
+  const exact = Number(value.toPrecision(most));
+  return Math.abs(exact) >= 1e5 || (exact !== 0 && Math.abs(exact) < 1e-3) ? number(value) : minus(String(exact));
+}
+
+// A value with its unit and prefix, to so many digits.
+export function withUnit(value, unit, digits = 3) {
+  if (!Number.isFinite(value)) return "–";
+  const [size, prefix] = prefixFor(Math.abs(value), unit);
+  return unit === "1" ? number(value, digits) : `${number(value / size, digits)}${NARROW}${prefix}${unit}`;
+}
+
+// Ticks of an even axis with the decimals that their step needs.
+export function tickTexts(ticks) {
+  const given = ticks.filter((v) => v !== null && v !== undefined);
+  const step = given.length > 1 ? Math.abs(given[1] - given[0]) : 0, most = Math.max(...given.map(Math.abs));
+  if (!(step > 0) || most >= 1e6 || most < 1e-3) return ticks.map((v) => (v === null ? "" : number(v, 2)));
+  let places = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
+  if (Math.abs(step * 10 ** places - Math.round(step * 10 ** places)) > 1e-6) places += 1;
+  return ticks.map((v) => (v === null ? "" : minus(grouped((Math.abs(v) < step * 1e-6 ? 0 : v).toFixed(places)))));
+}
+
+// The prefix that suits an axis up to `most`.
+export function axisPrefix(most, unit) {
+  return prefixFor(most, unit);
+}
+
 export function count(value) {
   return Number.isFinite(value) ? minus(grouped(String(Math.round(value)))) : "–";
 }

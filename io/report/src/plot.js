@@ -5,15 +5,20 @@
 // whiskers, spreads are bands. On log axes what is not positive is left out.
 import uPlot from "uplot";
 import { download, el } from "./dom.js";
-import { labelled, number, powerOfTen } from "./format.js";
+import { axisPrefix, labelled, number, powerOfTen, tickTexts } from "./format.js";
 import { colour, css, onTheme } from "./theme.js";
 
 export const plots = []; // for tests: what is on the page
 
 const FONT = "12px system-ui, sans-serif";
 
-// Ticks at decades, at most `most` of them.
+// Ticks at decades, at most `most` of them; below two decades at 1, 2 and 5 of each.
 function decades(low, high, most) {
+  if (high / low < 100) {
+    const all = [];
+    for (let k = Math.floor(Math.log10(low)); k <= Math.log10(high); k += 1) all.push(...[1, 2, 5].map((m) => m * 10 ** k));
+    return all.filter((v) => v >= low * 0.999 && v <= high * 1.001);
+  }
   const first = Math.ceil(Math.log10(low) - 1e-9), last = Math.floor(Math.log10(high) + 1e-9);
   const step = Math.max(1, Math.ceil((last - first + 1) / most));
   const ticks = [];
@@ -31,21 +36,31 @@ function axis(spec, side, most) {
     size: side === "y" ? 62 : 40,
   };
   if (!spec.log) {
-    return { ...common, values: (_, splits) => splits.map((v) => (v === null ? "" : number(v, tickDigits(splits)))) };
+    return { ...common, values: (_, splits) => tickTexts(splits) };
   }
   return {
     ...common,
     splits: (u, _, low, high) => decades(low, high, most(u)),
     filter: (_, splits) => splits,
-    values: (_, splits) => splits.map((v) => (v === null ? "" : powerOfTen(Math.round(Math.log10(v))))),
+    values: (_, splits) => splits.map((v) => (v === null ? "" : logText(v))),
   };
 }
 
-function tickDigits(splits) {
-  const given = splits.filter((v) => v !== null);
-  const step = Math.abs(given[1] - given[0]), most = Math.max(...given.map(Math.abs));
-  if (!(step > 0) || !(most > 0)) return 3;
-  return Math.max(1, Math.floor(Math.log10(most) + 1e-9) - Math.floor(Math.log10(step) + 1e-9) + 1);
+// 10⁻⁶, 2·10⁻⁶; near one as plain numbers.
+function logText(v) {
+  const exponent = Math.floor(Math.log10(v) + 1e-9), mantissa = Math.round(v / 10 ** exponent);
+  if (exponent >= -2 && exponent <= 3) return exponent >= 0 ? String(Math.round(v)) : v.toFixed(-exponent);
+  return mantissa === 1 ? powerOfTen(exponent) : `${mantissa}·${powerOfTen(exponent)}`;
+}
+
+// Watts and joules on an even axis get the prefix that suits the largest; CSV stays in SI.
+function scaled(spec) {
+  const most = spec.series.reduce((m, line) => line.y.reduce((n, v) => Math.max(n, Math.abs(v ?? 0)), m), 0);
+  const [size, prefix] = spec.y.log ? [1, ""] : axisPrefix(most, spec.y.unit);
+  if (size === 1) return spec;
+  const shrink = (list) => list?.map((v) => (v === null || v === undefined ? v : v / size));
+  return { ...spec, y: { ...spec.y, unit: `${prefix}${spec.y.unit}` },
+    series: spec.series.map((line) => ({ ...line, y: shrink(line.y), error: shrink(line.error), spread: shrink(line.spread) })) };
 }
 
 const usable = (v, log) => (v === null || v === undefined || !Number.isFinite(v) || (log && v <= 0) ? null : v);
@@ -78,7 +93,7 @@ function assemble(spec) {
     lines.push({
       label: line.label, stroke, width: 1.75, dash: line.dash, spanGaps: true,
       points: { show: line.points ?? false, size: 7, fill: stroke },
-      value: (_, v) => (v === null || v === undefined ? "–" : number(v, 4)),
+      value: (_, v) => (v === null || v === undefined ? "" : number(v, 4)),
     });
     data.push(joined[at]);
     const main = data.length - 1;
@@ -138,6 +153,14 @@ function drawMarks(marks) {
     }
     ctx.restore();
   };
+}
+
+function rangeOfPlaces(spec) {
+  const even = (_, low, high) => {
+    const pad = spec.series.some((line) => line.points) ? 0.04 * (high - low || 1) : 0;
+    return low === null ? [0, 1] : [low - pad, high + pad];
+  };
+  return spec.x.log ? range({ log: true }) : even;
 }
 
 function range(spec) {
@@ -218,16 +241,19 @@ export function plot(fresh) {
     title.textContent = spec.title;
     note.textContent = spec.note ?? "";
     u?.destroy();
-    const { data, lines, errors, bands } = assemble(spec);
-    lines[0] = { label: labelled(spec.x.label, spec.x.unit), value: (_, v) => (v === null ? "–" : number(v, 4)) };
+    const shown = scaled(spec);
+    const { data, lines, errors, bands } = assemble(shown);
+    lines[0] = { label: labelled(spec.x.label, spec.x.unit), value: (_, v) => (v === null || v === undefined ? "" : number(v, 4)) };
     u = new uPlot({
       ...size(),
-      scales: { x: { time: false, distr: spec.x.log ? 3 : 1 }, y: { distr: spec.y.log ? 3 : 1, range: range(spec.y) } },
-      axes: [axis(spec.x, "x", (p) => p.width / 60), axis(spec.y, "y", (p) => p.height / 30)],
+      scales: { x: { time: false, distr: spec.x.log ? 3 : 1, range: rangeOfPlaces(spec) }, y: { distr: spec.y.log ? 3 : 1, range: range(spec.y) } },
+      axes: [axis(spec.x, "x", (p) => p.width / 60), axis(shown.y, "y", (p) => p.height / 30)],
       series: lines,
       bands,
       cursor: { drag: { x: true, y: false } },
-      legend: { live: true },
+      // A line's look: filled, or framed with its dashes.
+      legend: { live: true, markers: { width: 2, fill: (p, k) => (lines[k].dash ? "transparent" : p.series[k].stroke()),
+        stroke: (p, k) => p.series[k].stroke(), dash: (_, k) => (lines[k].dash ? (lines[k].dash[0] > 3 ? "dashed" : "dotted") : "solid") } },
       hooks: { draw: [whiskers(errors), drawMarks(spec.marks ?? [])] },
     }, data, host);
     lines.forEach((line, k) => {

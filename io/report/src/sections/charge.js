@@ -75,7 +75,7 @@ class Maps {
     const [a, b] = this.runs.map((run) => run.values(`charge_map/${this.field}`));
     const values = a.map((v, k) => (b[k] ?? 0) - (v ?? 0)), high = most(values.map(Math.abs)) || 1;
     this.spread = high;
-    return { grid: this.grids[0], values, low: -high, high, lookup: diverging, label: "difference", unit: this.unit, profile: this.profiles[0], rays: [], arrows: null };
+    return { grid: this.grids[0], values, low: -high, high, lookup: diverging, label: "difference", unit: this.unit, profile: this.profiles[0], rays: [], arrows: null, faint: (cell) => !this.runs.some((run) => run.values("charge_map/solid_fraction")[cell] > 0.005) };
   }
 
   paintLegend() {
@@ -128,8 +128,9 @@ function angleTable(runs) {
     return dataTable("Angles", head(runs), told.map(([name, label]) => rowOf(label, runs.map((run) => run.figure(`${name}_deg`)), "°")));
   }
   const [run] = runs;
-  const at = (name, cut) => { const v = run.summary[`${name}_deg_at_${cut}`]; return Number.isFinite(v) ? `${v.toFixed(1)}°` : "–"; };
-  const rows = told.map(([name, label]) => { const f = run.figure(`${name}_deg`); return [label, withError(f.value, f.error, "°"), withError(run.summary[`${name}_deg_spread`], NaN, "°"), at(name, 0.4), at(name, 0.6)]; });
+  const degrees = (v) => (Number.isFinite(v) ? `${v.toFixed(1)}°` : "–");
+  const at = (name, cut) => degrees(run.summary[`${name}_deg_at_${cut}`]);
+  const rows = told.map(([name, label]) => { const f = run.figure(`${name}_deg`); return [label, withError(f.value, f.error, "°"), degrees(run.summary[`${name}_deg_spread`]), at(name, 0.4), at(name, 0.6)]; });
   return dataTable("Angles, counterclockwise from +x", ["", "mean map", "spread of snapshots", "bulk above 0.4 of the bed", "above 0.6"], rows);
 }
 

@@ -37,7 +37,7 @@ function tableOf(run, table, caption) {
   const shown = QUANTITIES.filter(([q]) => run.has(`${table}/${q}`));
   const rows = run.lines("classes/name").map((name, k) => [name, ...shown.map(([q, , unit]) =>
     withError(run.values(`${table}/${q}`)[k], run.values(`${table}/${q}_standard_error`)[k], unit))]);
-  return dataTable(caption, ["class", ...shown.map(([, title]) => title.toLowerCase())], rows);
+  return dataTable(caption, ["class", ...shown.map(([, title]) => title.toLowerCase())], rows, "quiet");
 }
 
 function tableOfMany(runs, table, caption) {
@@ -50,7 +50,7 @@ function tableOfMany(runs, table, caption) {
       const k = run.lines("classes/name").indexOf(name);
       return { value: run.values(`${table}/${quantity}`)[k] ?? NaN, error: run.values(`${table}/${quantity}_standard_error`)[k] ?? NaN };
     };
-    box.replaceChildren(dataTable(caption, head(runs), names.map((name) => rowOf(name, runs.map((run) => figure(run, name)), unit))));
+    box.replaceChildren(dataTable(caption, head(runs), names.map((name) => rowOf(name, runs.map((run) => figure(run, name)), unit)), "quiet"));
   };
   fill(shown[0][0]);
   return el("div", {}, select("Quantity", shown.map(([q, title]) => [q, title]), fill), box);

@@ -1,6 +1,6 @@
 // How the run went: accuracy, energy account, speed, warnings, where it was made.
 import { dataTable, el, section } from "../dom.js";
-import { count, duration, number, withError } from "../format.js";
+import { count, duration, number, plain, withError } from "../format.js";
 import { plot } from "../plot.js";
 import { stateOf } from "./headline.js";
 import { dashOf, nameIn } from "./power.js";
@@ -20,7 +20,7 @@ const FACTS = [
   ["State", (run) => stateOf(run)[1]],
   ["Recorded window", (run) => run.summary.steady_statement ?? "–"],
   ["Drift of the power in the window", (run) => percent(run.summary.power_drift_share)],
-  ["Time step", (run) => (run.scene?.time_step ? `${number(1e6 * run.scene.time_step)} µs` : "–")],
+  ["Time step", (run) => (run.scene?.time_step ? `${plain(1e6 * run.scene.time_step)} µs` : "–")],
   ["Fewest steps per contact", (run) => number(run.summary.steps_per_contact)],
   ["Steps", (run) => count(run.summary.steps)],
   ["Error of the energy account", (run) => number(run.summary.ledger_error, 2)],
@@ -40,7 +40,7 @@ const FACTS = [
 
 function facts(runs) {
   const rows = FACTS.map(([label, tell]) => [label, ...runs.map(tell)]).filter((row) => row.slice(1).some((text) => text !== "–" && text !== "–, –"));
-  return dataTable("How the run went", ["", ...runs.map((run) => (runs.length > 1 ? run.name : ""))], rows);
+  return dataTable("How the run went", ["", ...runs.map((run) => (runs.length > 1 ? run.name : ""))], rows, "text quiet");
 }
 
 function energyPlot(runs) {

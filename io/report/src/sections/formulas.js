@@ -51,8 +51,9 @@ export function formulas(page) {
   if (runs.length === 0) return null;
   const csv = () => ["run,formula,low [W],high [W],source,valid", ...runs.flatMap((run) => rowsOf(run).map((r) =>
     [run.name, r.name, r.low, r.high, r.source, r.valid].map((v) => `"${String(v).replaceAll('"', '""')}"`).join(",")))].join("\n");
-  return section("formulas", "Power formulas", csvButton("Power formulas", csv), runs.map((run) => el("div", {},
-    runs.length > 1 ? el("h3", {}, run.name) : null, verdict(run), picture(run),
+  return section("formulas", "Power formulas", runs.map((run, k) => el("div", {},
+    el("div", { class: "plot-head" }, el("h3", {}, runs.length > 1 ? run.name : "Beside the simulation"), k === 0 ? csvButton("Power formulas", csv) : null),
+    verdict(run), picture(run),
     dataTable("Formulas", ["formula", "power", "valid for", "source"], rowsOf(run).map((r) => [r.name,
-      r.low === r.high ? withError(r.low, NaN, "W") : `${withError(r.low, NaN, "W")} – ${withError(r.high, NaN, "W")}`, r.valid, r.source])))));
+      r.low === r.high ? withError(r.low, NaN, "W") : `${withError(r.low, NaN, "W")} – ${withError(r.high, NaN, "W")}`, r.valid, r.source]), "text quiet"))));
 }

@@ -1,7 +1,7 @@
 // The head of the page: what was run, its figures, whether they can be trusted.
 import { difference } from "../derived.js";
 import { dataTable, el, section } from "../dom.js";
-import { count, number, parts, withError } from "../format.js";
+import { count, number, parts, plain, withError } from "../format.js";
 
 const FIGURES = [
   ["power_W", "W", "Power"],
@@ -13,7 +13,7 @@ const FIGURES = [
   ["impact_toe_deg", "°", "Impact toe"],
   ["dynamic_angle_deg", "°", "Dynamic angle"],
   ["contacts_per_particle", "1", "Contacts per particle"],
-  ["wear_siem_m3", "m^3", "Wear of the walls (SIEM)"],
+  ["wear_siem_m3", "m³", "Wear of the walls (SIEM)"],
 ];
 
 const given = (run, name) => Number.isFinite(run.summary[name]);
@@ -22,7 +22,7 @@ function tile(run, [name, unit, label]) {
   const { value, error } = run.figure(name);
   const p = parts(value, error, unit);
   return el("div", { class: "tile" }, el("dt", {}, label),
-    el("dd", {}, el("span", { class: "big" }, p.value), ` ${p.unit.replace("^3", "³")}`,
+    el("dd", {}, el("span", { class: "big" }, p.value), ` ${p.unit}`,
       p.error ? el("span", { class: "error" }, `± ${p.error}`) : null));
 }
 
@@ -39,8 +39,8 @@ function millText(run) {
   if (!mill) return "";
   const rpm = Math.abs(run.speed) * 30 / Math.PI;
   const lifters = mill.lifters ? `, ${mill.lifters.count} lifters` : "";
-  return `Mill ${number(mill.diameter)} m × ${number(mill.length)} m${lifters}, ` +
-    `${number(rpm)} rpm (${number(100 * run.shareOfCritical)} % of critical)`;
+  return `Mill ${plain(mill.diameter)} m × ${plain(mill.length)} m${lifters}, ` +
+    `${plain(rpm)} rpm (${number(100 * run.shareOfCritical)} % of critical)`;
 }
 
 function steadyLine(run) {
@@ -53,7 +53,7 @@ function subtitle(run) {
   const s = run.summary, particles = s.particles ?? run.view?.all_particles;
   const facts = [millText(run),
     particles ? `${count(particles)} particles${s.polyhedra ? `, ${count(s.polyhedra)} of them polyhedra` : ""}` : "",
-    `recorded from ${number(run.recordFrom)} s to ${number(run.endTime, 4)} s`].filter(Boolean);
+    `recorded from ${plain(run.recordFrom)} s to ${plain(run.endTime)} s`].filter(Boolean);
   const [grade, state] = stateOf(run);
   return [el("p", { class: "facts" }, facts.join(" · "), " ", el("span", { class: `state ${grade}` }, state)), steadyLine(run)];
 }
@@ -88,7 +88,7 @@ export function rowOf(label, figures, unit) {
     const share = 100 * d.value / Math.abs(figures[0].value);
     return [significant(withError(d.value, d.error, unit), d), Number.isFinite(share) ? `${share > 0 ? "+" : ""}${number(share, 2)} %` : "–"];
   });
-  return [label, ...figures.map((f) => withError(f.value, f.error, unit).replace("^3", "³")), ...differences];
+  return [label, ...figures.map((f) => withError(f.value, f.error, unit)), ...differences];
 }
 
 function significant(text, d) {

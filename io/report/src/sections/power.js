@@ -37,7 +37,7 @@ function powerPlot(runs) {
     marks: runs.slice(0, 1).map((run) => ({ at: run.recordFrom, label: "recorded from here" })),
     note: smooth ? `Mean over the last ${number(windowOf(runs[0]), 2)} s.` : "Each point is the mean since the point before.",
   }));
-  return [figure, checkbox("smoothed", false, (on) => { smooth = on; figure.change(); })];
+  return el("div", { class: "block" }, figure, checkbox("smoothed", false, (on) => { smooth = on; figure.change(); }));
 }
 
 // Rates from sums, as means over stretches of a fiftieth of the run.
@@ -101,7 +101,7 @@ function tableOfOne(run) {
   const sums = COLUMNS.map((column) => sumOf(kinds.map((kind) => kindFigure(run, column, kind))));
   const last = ["all", ...sums.map((s) => withError(s.value, NaN, "W")), ""];
   last.strong = true;
-  return dataTable("Power by kind of collision", ["kind", "total", "normal damping", "sliding", "tangential damping", "share"], [...rows, last]);
+  return dataTable("Power by kind of collision", ["kind", "total", "normal damping", "sliding", "tangential damping", "share"], [...rows, last], "quiet");
 }
 
 function tableOfMany(runs) {
@@ -111,7 +111,7 @@ function tableOfMany(runs) {
     const rows = kinds.map((kind) => rowOf(kind, runs.map((run) => kindFigure(run, column, kind)), "W"));
     const last = rowOf("all", runs.map((run) => sumOf(run.lines("power_by_kind/kind").map((kind) => kindFigure(run, column, kind)))), "W");
     last.strong = true;
-    box.replaceChildren(dataTable("Power by kind of collision", head(runs), [...rows, last]));
+    box.replaceChildren(dataTable("Power by kind of collision", head(runs), [...rows, last], "quiet"));
   };
   fill("total");
   return el("div", {}, select("Part", COLUMNS.map((c) => [c, c]), fill), box);
@@ -133,7 +133,7 @@ function kindsCsv(runs) {
 function byKind(runs) {
   const told = runs.filter((run) => run.has("power_by_kind/total"));
   if (told.length === 0) return null;
-  return el("div", {}, el("div", { class: "plot-head" }, el("h3", {}, "Power by kind of collision"),
+  return el("div", { class: "block" }, el("div", { class: "plot-head" }, el("h3", {}, "Power by kind of collision"),
     csvButton("Power by kind of collision", () => kindsCsv(told))),
     told.length === 1 ? tableOfOne(told[0]) : tableOfMany(told),
     el("p", { class: "note" }, "Dissipation of the contacts between two groups, mean over the recorded window. Errors of the kinds are not independent, so the sum of a single run shows none; the errors of sums in a comparison are taken as if they were."));

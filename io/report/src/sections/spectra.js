@@ -1,6 +1,6 @@
 // Collision spectra by pair of groups: how many episodes of which energy, and where the energy goes.
 import { dataTable, el, section, select } from "../dom.js";
-import { number, withError } from "../format.js";
+import { number, withUnit } from "../format.js";
 import { plot } from "../plot.js";
 import { dashOf, nameIn } from "./power.js";
 
@@ -73,10 +73,10 @@ function table(runs) {
   const rows = runs.flatMap((run) => kindsOf(run).map((kind) => {
     const at = run.lines("power_by_kind/kind").indexOf(kind);
     const counts = run.values(`spectra/${kind}/count`), energies = run.values(`spectra/${kind}/energy`), t = timeOf(run);
-    return [nameIn(runs, run, kind), withError(sum(counts) / t, NaN, "Hz"), withError(sum(energies) / t, NaN, "W"),
-      withError(middle(run, kind, "count"), NaN, "J"), withError(middle(run, kind, "energy"), NaN, "J"),
+    return [nameIn(runs, run, kind), withUnit(sum(counts) / t, "Hz"), withUnit(sum(energies) / t, "W"),
+      withUnit(middle(run, kind, "count"), "J", 2), withUnit(middle(run, kind, "energy"), "J", 2),
       number((counts[0] ?? 0) / t), number(counts.at(-1) / t),
-      at < 0 ? "–" : `${number(run.values("spectra/open_count")[at])} (${withError(run.values("spectra/open_energy")[at], NaN, "J")})`];
+      at < 0 ? "–" : `${number(run.values("spectra/open_count")[at])} (${withUnit(run.values("spectra/open_energy")[at], "J")})`];
   }));
   return dataTable("Episodes", ["kind", "episodes", "dissipation", "half of the episodes below", "half of the dissipation below",
     "below 10⁻¹² J, 1/s", "above 10³ J, 1/s", "open at the end"], rows);

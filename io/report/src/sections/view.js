@@ -1,6 +1,6 @@
 // The charge in motion.
 import { el, section } from "../dom.js";
-import { Clock } from "../viewer/viewer.js";
+import { Clock } from "../viewer/clock.js";
 
 export function view(page) {
   const runs = page.runs.filter((run) => run.view);
@@ -14,13 +14,11 @@ export function view(page) {
     el("p", { class: "note" }, "Drag turns, wheel or pinch zooms, right drag shifts. With the picture in focus: space plays, ← → step, Home and End jump. " +
       "Walls are drawn from the side of the charge only."));
   part.start = async () => {
-    for (const viewer of clock.viewers) {
-      try {
-        await viewer.start();
-      } catch (error) {
-        viewer.host.replaceChildren(el("p", { class: "note" }, `No picture: this browser gives no WebGL (${error.message}).`));
-        return;
-      }
+    try {
+      await clock.start();
+    } catch (error) {
+      for (const viewer of clock.viewers) viewer.host.replaceChildren(el("p", { class: "note" }, `No picture (does this browser have WebGL?): ${error.message}`));
+      return;
     }
     place.replaceChildren(clock.controls());
   };

@@ -44,7 +44,9 @@ function normals(points) {
 }
 
 function drawSection(canvas, runs, model) {
-  const ratio = Math.min(devicePixelRatio, 2), width = canvas.parentElement.clientWidth, height = Math.max(180, Math.min(340, 0.42 * width));
+  const ratio = Math.min(devicePixelRatio, 2), width = canvas.parentElement.clientWidth, shape = section2d(runs[0]);
+  const wide = shape.at(-1)[0] - shape[0][0], tall = Math.max(...shape.map((p) => p[1]));
+  const height = Math.max(120, Math.min(360, 0.94 * width * (1.35 * tall + 0.02 * Math.abs(wide)) / Math.abs(wide) / 0.86));
   canvas.width = width * ratio; canvas.height = height * ratio;
   canvas.style.height = `${height}px`;
   const context = canvas.getContext("2d");
@@ -61,15 +63,16 @@ function drawSection(canvas, runs, model) {
   context.closePath();
   context.fillStyle = css("--liner");
   context.fill();
+  const tint = (run) => (runs.length > 1 ? run.index : 1);
   runs.forEach((run, r) => {
     const depth = run.values(`wear_profile/${model}`), outward = normals(outlines[r]);
     const worn = outlines[r].map(([u, v], k) => [u + outward[k][0] * deepest * (depth[k] ?? 0) / most, v + outward[k][1] * deepest * (depth[k] ?? 0) / most]);
     context.beginPath();
     path([...outlines[r], ...worn.slice().reverse()]);
     context.closePath();
-    context.fillStyle = `${colour(r === 0 ? 1 : r - 1)}${runs.length > 1 ? "55" : "aa"}`;
+    context.fillStyle = `${colour(tint(run))}${runs.length > 1 ? "44" : "aa"}`;
     context.fill();
-    context.strokeStyle = colour(r === 0 ? 1 : r - 1);
+    context.strokeStyle = colour(tint(run));
     context.lineWidth = 1.5 * ratio;
     context.beginPath(); path(worn); context.stroke();
   });
@@ -93,7 +96,7 @@ function picture(runs) {
     const shrink = drawSection(canvas, runs, model);
     const hours = shrink > 0 ? 1000 / shrink : NaN;
     note.textContent = `The coloured layer is what is worn off in about ${number(hours, 2)} h at this rate, in the scale of the section` +
-      (runs.length > 1 ? `; ${runs.map((run, k) => `${run.name}: ${["second", "first", "third"][k] ?? "other"} colour`).slice(0, 0).join("")}lines as in the plot.` : ".");
+      (runs.length > 1 ? "; colours as in the plot below." : ".");
   };
   new ResizeObserver(draw).observe(box);
   onTheme(draw);
@@ -105,7 +108,7 @@ function picture(runs) {
 function totals(runs) {
   const rows = MODELS.filter(([name]) => runs.some((run) => Number.isFinite(run.summary[`wear_${name}_m3`])));
   if (rows.length === 0) return null;
-  if (runs.length > 1) return dataTable("Worn volume of the walls in the recorded time", head(runs), rows.map(([name, label]) => rowOf(label, runs.map((run) => run.figure(`wear_${name}_m3`)), "m^3")));
+  if (runs.length > 1) return dataTable("Worn volume of the walls in the recorded time", head(runs), rows.map(([name, label]) => rowOf(label, runs.map((run) => run.figure(`wear_${name}_m3`)), "m³")));
   const [run] = runs;
   return dataTable("Worn volume of the walls in the recorded time", ["model", "volume", "calibration factor"], rows.map(([name, label]) =>
     [label, `${withError(run.summary[`wear_${name}_m3`], NaN, "m³")}`, number(run.summary[`wear_${name}_factor`])]));

@@ -1,8 +1,7 @@
-// The moving picture of a run's charge: play, scrub, colours. Keys: space plays, arrows step, Home
-// and End go to the ends. Several viewers may share one Clock and then show the same time.
+// The moving picture of one run's charge, in the colours that are asked for.
 import * as THREE from "three";
-import { heat, kinds, viridis } from "../colours.js";
-import { checkbox, el, select } from "../dom.js";
+import { kinds, viridis, wear } from "../colours.js";
+import { el } from "../dom.js";
 import { number } from "../format.js";
 import { colourBar, kindsLegend } from "../legend.js";
 import { Frames } from "./frames.js";
@@ -10,7 +9,7 @@ import { Particles } from "./particles.js";
 import { Stage } from "./stage.js";
 import { Walls } from "./walls.js";
 
-const WEAR_NAMES = { depth_rate_siem: "wear, SIEM", depth_rate_sliding: "wear, sliding only",
+export const WEAR_NAMES = { depth_rate_siem: "wear, SIEM", depth_rate_sliding: "wear, sliding only",
   depth_rate_archard: "wear, Archard", depth_rate_finnie: "wear, Finnie", pressure: "pressure", shear: "shear" };
 
 export function classNames(scene) {
@@ -22,12 +21,18 @@ function sizes({ from, to }) {
   return from === to ? `${number(1000 * from)} mm` : `${number(1000 * from)}–${number(1000 * to)} mm`;
 }
 
+// Root-scaled bytes of a run on the scale of all runs.
+function rescaled(bytes, own, all) {
+  const factor = all > 0 ? Math.sqrt(own / all) : 0;
+  return bytes.map((q) => Math.round(factor * Math.min(q, 254)));
+}
+
 export class Viewer {
   constructor(run, clock) {
     this.run = run;
     this.clock = clock;
     this.frames = new Frames(run.view);
-    this.walls = new Walls(run.view);
+    this.walls = new Walls(run.view, run.scene?.mill);
     this.colouring = "speed";
     this.at = -1;
     this.legend = el("div", { class: "legend" });
@@ -38,13 +43,16 @@ export class Viewer {
     this.host.append(this.label);
   }
 
+  async read() {
+    await Promise.all([this.frames.readStatics(), this.walls.read()]);
+  }
+
   // Draws the first picture; the rest is read when it is asked for.
   async start() {
     const { low, high } = this.run.view;
     const mill = this.run.scene?.mill;
     const span = new THREE.Vector3(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
     this.stage = new Stage(this.host, mill ? 0.5 * mill.diameter : 0.6 * span.length());
-    await Promise.all([this.frames.readStatics(), this.walls.read()]);
     this.lookup = new THREE.DataTexture(new Uint8Array(viridis), 256, 1);
     this.lookup.colorSpace = THREE.NoColorSpace;
     this.particles = new Particles(this.frames, this.lookup);
@@ -55,7 +63,7 @@ export class Viewer {
     this.paintWalls(this.wallField);
     this.stage.home(this.target);
     this.paintLegend();
-    await this.show(0);
+    await this.show(this.frames.times.length - 1); // the charge as it moves at last
   }
 
   // The frame nearest to a time.
@@ -84,20 +92,16 @@ export class Viewer {
   values() {
     const { frames, frame } = this;
     switch (this.colouring) {
-      case "speed": return frame.speed.map((q) => Math.min(q, 254));
-      case "spin": return frame.spin;
+      case "speed": return rescaled(frame.speed, this.run.view.speed, this.clock.most("speed"));
+      case "spin": return rescaled(frame.spin, this.run.view.spin, this.clock.most("spin"));
       case "species": return frames.species;
       case "class": return frames.sizeClass;
       default: {
-        const least = Math.log(this.leastRadius), span = Math.log(this.mostRadius) - least || 1;
+        const [from, to] = this.clock.radii, least = Math.log(from), span = Math.log(to) - least || 1;
         return Uint8Array.from(frames.radius, (r) => Math.round(254 * (Math.log(r) - least) / span));
       }
     }
   }
-
-  get leastRadius() { return this.frames.radius.reduce((a, b) => Math.min(a, b), Infinity); }
-
-  get mostRadius() { return this.frames.radius.reduce((a, b) => Math.max(a, b), 0); }
 
   // Speeds are spread by their root, as the bytes are; the scale says so.
   paint() {
@@ -108,11 +112,11 @@ export class Viewer {
   }
 
   paintLegend() {
-    const { view, scene } = this.run;
+    const { scene } = this.run;
     const bars = {
-      speed: () => colourBar("speed, root scale", "m/s", 0, view.speed, viridis),
-      spin: () => colourBar("spin, root scale", "rad/s", 0, view.spin, viridis),
-      size: () => colourBar("diameter, log scale", "mm", 2000 * this.leastRadius, 2000 * this.mostRadius, viridis),
+      speed: () => colourBar("speed, root scale", "m/s", 0, this.clock.most("speed"), viridis),
+      spin: () => colourBar("spin, root scale", "rad/s", 0, this.clock.most("spin"), viridis),
+      size: () => colourBar("diameter, log scale", "mm", 2000 * this.clock.radii[0], 2000 * this.clock.radii[1], viridis),
       species: () => kindsLegend(scene.species.map((s) => s.name)),
       class: () => kindsLegend(classNames(scene)),
     };
@@ -121,9 +125,10 @@ export class Viewer {
 
   paintWalls(field) {
     this.wallField = field;
-    const most = this.walls.colour(field);
+    const most = this.clock.mostWear(field);
+    this.walls.colour(field, most);
     const unit = this.walls.fields.find((f) => f.name === field)?.unit;
-    this.wallLegend.replaceChildren(...(field ? [colourBar(WEAR_NAMES[field], unit, 0, most, heat)] : []));
+    this.wallLegend.replaceChildren(...(field ? [colourBar(WEAR_NAMES[field], unit, 0, most, wear)] : []));
     this.stage.draw();
   }
 
@@ -134,67 +139,3 @@ export class Viewer {
     this.stage.draw();
   }
 }
-
-// The time that all viewers of a page show, with its controls.
-export class Clock {
-  constructor(runs) {
-    this.several = runs.length > 1;
-    this.viewers = runs.map((run) => new Viewer(run, this));
-    this.times = [...runs.map((run) => run.view.times)].sort((a, b) => b.length - a.length)[0];
-    this.playing = false;
-    this.at = 0;
-    this.slider = el("input", { type: "range", min: "0", max: String(this.times.length - 1), value: "0", step: "1",
-      "aria-label": "Time of the picture", oninput: () => this.go(Number(this.slider.value)) });
-    this.button = el("button", { type: "button", class: "play", onclick: () => this.toggle() }, "Play");
-    this.time = el("output", { class: "time" }, `t = ${this.times[0].toFixed(3)} s`);
-    for (const viewer of this.viewers) viewer.host.addEventListener("keydown", (event) => this.key(event));
-  }
-
-  async go(k) {
-    this.at = Math.max(0, Math.min(this.times.length - 1, k));
-    this.slider.value = String(this.at);
-    this.time.value = `t = ${this.times[this.at].toFixed(3)} s`;
-    this.slider.setAttribute("aria-valuetext", this.time.value);
-    await Promise.all(this.viewers.map((viewer) => viewer.show(viewer.frameAt(this.times[this.at]))));
-  }
-
-  key(event) {
-    const steps = { ArrowLeft: -1, ArrowRight: 1, PageUp: -10, PageDown: 10, Home: -Infinity, End: Infinity };
-    if (event.key === " ") this.toggle();
-    else if (event.key in steps) this.go(this.at + steps[event.key]);
-    else return;
-    event.preventDefault();
-  }
-
-  toggle() {
-    this.playing = !this.playing;
-    this.button.textContent = this.playing ? "Pause" : "Play";
-    if (this.playing) this.play();
-  }
-
-  async play() {
-    const pause = Math.min(200, Math.max(40, 8000 / this.times.length));
-    while (this.playing) {
-      const started = performance.now();
-      await this.go(this.at + 1 < this.times.length ? this.at + 1 : 0);
-      await new Promise((done) => setTimeout(done, Math.max(0, pause - (performance.now() - started))));
-    }
-  }
-
-  controls() {
-    const colours = [["speed", "speed"], ["size", "size"], ["spin", "spin"], ["species", "group"], ["class", "size class"]];
-    const fields = this.viewers[0].walls.fields;
-    const each = (act) => (value) => this.viewers.forEach((viewer) => act(viewer, value));
-    const first = this.viewers[0];
-    return el("div", { class: "controls" }, this.button, this.slider, this.time,
-      select("Colour by", colours, each((viewer, value) => viewer.colourBy(value))),
-      fields.length > 0 ? select("Liner by", [...fields.map((f) => [f.name, WEAR_NAMES[f.name]]), ["", "nothing"]],
-        each((viewer, value) => viewer.paintWalls(value))) : null,
-      first.walls.walls.length > 0 ? checkbox("walls", true, each((viewer, shown) => {
-        viewer.walls.group.visible = shown;
-        viewer.stage.draw();
-      })) : null,
-      el("button", { type: "button", onclick: () => this.viewers.forEach((v) => v.stage.home(v.target)) }, "Reset view"));
-  }
-}
-
