@@ -215,6 +215,7 @@ class Run {
   int finish(bool fine) {
     figures_.wall_seconds = now() - started_;
     figures_.times = stepper_->take_times();
+    figures_.steps_per_contact = fewest_steps_per_contact(loaded_);
     figures_.threads = stepper_->graph().threads();
     figures_.simd_target = stepper_->target();
     figures_.finished = fine && g_signal == 0 && !stopped_;

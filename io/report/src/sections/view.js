@@ -17,6 +17,7 @@ export function view(page) {
     try {
       await clock.start();
     } catch (error) {
+      console.error(error);
       for (const viewer of clock.viewers) viewer.host.replaceChildren(el("p", { class: "note" }, `No picture (does this browser have WebGL?): ${error.message}`));
       return;
     }
