@@ -5,8 +5,7 @@
 //   marks itself "open for write": after a kill nobody can open it, and h5py cannot while we run.
 // - No file locks, so that a running simulation's series can be read.
 // - In a growing file every object begins a page, and a chunk of a series fits in one: a kill in the
-//   middle of a write cannot tear it, as the kernel gives up between pages only. (Without, 1 of 400
-//   files whose writer was killed in a tight loop had a broken dataset.)
+//   middle of a write cannot tear it (of 400 files without, killed in a tight loop, one was broken).
 // - After a failed write (disk full) the library's clean-up at exit crashes: it is then left out.
 #include "io/hdf5_file.h"
 

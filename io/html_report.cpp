@@ -82,9 +82,9 @@ std::string species_json(const Scene& scene) {
       const double d = species.diameter.value_or(std::nan(""));
       classes = range_json(shape_name(species.shape), d, d);
     }
-    json += fmt::format("{}{{\"name\":{},\"material\":{},\"classes\":[{}]}}",
-                        json.empty() ? "" : ",", json_string(species.name),
-                        json_string(species.material), classes);
+    json +=
+        fmt::format("{}{{\"name\":{},\"material\":{},\"classes\":[{}]}}", json.empty() ? "" : ",",
+                    json_string(species.name), json_string(species.material), classes);
   }
   return "[" + json + "]";
 }
@@ -132,8 +132,10 @@ void add_run(const ReportRun& run, const ViewBudget& budget, Page& page) {
     view = read_run_view(run.folder, scene.scene, budget, page.blobs.size());
     if (page.title.empty()) page.title = scene.scene.run.title;
   } else {
-    tables.notes.push_back("The scene is not one that this version reads, so the picture of the "
-                           "charge is left out: " + scene.errors.front());
+    tables.notes.push_back(
+        "The scene is not one that this version reads, so the picture of the "
+        "charge is left out: " +
+        scene.errors.front());
   }
   for (std::string& blob : view.packed) page.blobs.push_back(std::move(blob));
   std::vector<std::string> notes = tables.notes;
@@ -183,13 +185,14 @@ std::string html_report(const std::vector<ReportRun>& runs, const ReportOptions&
   std::string html = kHead;
   html += fmt::format("<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n", html_text(title),
                       report_style());
-  html += "<main id=\"page\"><p class=\"loading\">Reading the run ...</p>"
-          "<noscript><p>This page draws its plots with JavaScript, which is off.</p></noscript>"
-          "</main>\n";
+  html +=
+      "<main id=\"page\"><p class=\"loading\">Reading the run ...</p>"
+      "<noscript><p>This page draws its plots with JavaScript, which is off.</p></noscript>"
+      "</main>\n";
   html += fmt::format("<script type=\"text/plain\" id=\"data\">{}</script>\n", packed(data));
   for (std::size_t k = 0; k < page.blobs.size(); ++k) {
-    html += fmt::format("<script type=\"text/plain\" id=\"blob{}\">{}</script>\n", k,
-                        page.blobs[k]);
+    html +=
+        fmt::format("<script type=\"text/plain\" id=\"blob{}\">{}</script>\n", k, page.blobs[k]);
   }
   html += "<script>";
   html += report_program();

@@ -10,7 +10,7 @@ namespace quern {
 
 namespace {
 
-constexpr int kLevel = 6;            // 9 takes three times as long for 1 % less
+constexpr int kLevel = 6;             // 9 takes three times as long for 1 % less
 constexpr int kGzipWindow = 15 + 16;  // the largest window; + 16: a gzip header, not zlib's
 
 std::string gzip(std::span<const std::uint8_t> bytes) {

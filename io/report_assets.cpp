@@ -21,9 +21,7 @@ extern const char quern_report_style_begin[], quern_report_style_end[];
 
 namespace quern {
 
-std::string_view report_program() {
-  return {quern_report_program_begin, quern_report_program_end};
-}
+std::string_view report_program() { return {quern_report_program_begin, quern_report_program_end}; }
 
 std::string_view report_style() { return {quern_report_style_begin, quern_report_style_end}; }
 

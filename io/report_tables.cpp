@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostRows = 20000;    // of a series
+constexpr std::size_t kMostRows = 20000;     // of a series
 constexpr std::size_t kMostValues = 400000;  // of any other array
 
 bool starts_with_any(std::string_view name, std::span<const std::string_view> starts) {
@@ -31,9 +31,9 @@ bool is_shown(std::string_view name) {
   constexpr std::array<std::string_view, 5> kLeftOut = {"charge_snapshots/", "final_particles/",
                                                         "final_polyhedra/", "shapes/", "wear/"};
   if (starts_with_any(name, kLeftOut)) return false;
-  return !(name.starts_with("series/walls/") && (name.find("/force_") != std::string_view::npos ||
-                                                 name.ends_with("/torque_x") ||
-                                                 name.ends_with("/torque_y")));
+  return !(name.starts_with("series/walls/") &&
+           (name.find("/force_") != std::string_view::npos || name.ends_with("/torque_x") ||
+            name.ends_with("/torque_y")));
 }
 
 template <class T>
@@ -86,7 +86,8 @@ std::string array_json(const Hdf5File& file, const std::string& name, std::size_
   std::string data;
   std::size_t kept = 0;
   // Of every `every` rows the last: a series of sums then ends where it ends.
-  for (std::size_t row = every > 1 ? (rows - 1) % every : 0; row < rows; row += std::max<std::size_t>(every, 1)) {
+  for (std::size_t row = every > 1 ? (rows - 1) % every : 0; row < rows;
+       row += std::max<std::size_t>(every, 1)) {
     for (std::size_t k = 0; k < layout.components; ++k) {
       if (!data.empty()) data += ',';
       data += json_number(values[row * layout.components + k]);
@@ -131,8 +132,8 @@ RunTables read_tables(const std::string& path) {
     }
     const ArrayLayout layout = file.layout(name);
     if (!name.starts_with("series/") && layout.rows * layout.components > kMostValues) {
-      tables.notes.push_back(fmt::format("{} ({}) is too large for this page", name,
-                                         describe(layout)));
+      tables.notes.push_back(
+          fmt::format("{} ({}) is too large for this page", name, describe(layout)));
       continue;
     }
     arrays.emplace_back(name, array_json(file, name, series_rows));

@@ -11,7 +11,8 @@
 namespace quern {
 
 struct RunTables {
-  std::string arrays = "{}";      // {"series/power": {"unit", "doc", "rows", "columns", "every", "data"}, ...}
+  std::string arrays =
+      "{}";  // {"series/power": {"unit", "doc", "rows", "columns", "every", "data"}, ...}
   std::string texts = "{}";       // {"power_by_kind/kind": "ore-ore\n...", ...}
   std::string provenance = "{}";  // {"version": "0.1.0", ...}
   std::string scene;              // the scene's text

@@ -218,12 +218,14 @@ std::string pack_moment(const Moment& m, const Scale& scale) {
   for (std::size_t k = 0; k < 3; ++k) {
     const double low = scale.low[static_cast<Eigen::Index>(k)];
     const double span = std::max(scale.high[static_cast<Eigen::Index>(k)] - low, 1e-30);
-    put_plane(n, [&](std::size_t i) { return 65535 * (m.position[3 * i + k] - low) / span; }, out);
+    put_plane(
+        n, [&](std::size_t i) { return 65535 * (m.position[3 * i + k] - low) / span; }, out);
   }
   for (const float v : m.speed) out.push_back(std::isnan(v) ? 255 : root_scaled(v, scale.speed));
   for (const float v : m.spin) out.push_back(root_scaled(v, scale.spin));
   for (std::size_t k = 0; k < 4; ++k) {
-    put_plane(bodies, [&](std::size_t i) { return 32767 + 32767 * m.orientation[4 * i + k]; }, out);
+    put_plane(
+        bodies, [&](std::size_t i) { return 32767 + 32767 * m.orientation[4 * i + k]; }, out);
   }
   return packed(out);
 }
@@ -277,14 +279,16 @@ std::string sampled_note(const Rows& rows, const Choice& choice, std::size_t fra
   const std::size_t all = rows.id.size();
   std::string note;
   if (choice.particles < all) {
-    note = fmt::format("Shown are {} of {} particles: the {} largest and an even sample of the rest",
-                       choice.particles, all, (choice.particles + 1) / 2);
+    note =
+        fmt::format("Shown are {} of {} particles: the {} largest and an even sample of the rest",
+                    choice.particles, all, (choice.particles + 1) / 2);
   }
   if (choice.frames < frames) {
     note += fmt::format("{} {} of {} frames", note.empty() ? "Shown are" : ", in", choice.frames,
                         frames);
   }
-  return note.empty() ? note : note + ", so that this page stays small. Plots and tables are of all.";
+  return note.empty() ? note
+                      : note + ", so that this page stays small. Plots and tables are of all.";
 }
 
 std::string shapes_json(const std::string& frames, int number, const Rows& rows) {
@@ -335,8 +339,7 @@ std::vector<std::size_t> choose_evenly(std::size_t count, std::size_t places) {
   if (count == 0 || places == 0) return chosen;
   places = std::min(places, count);
   for (std::size_t k = 0; k < places; ++k) {
-    chosen.push_back(places == 1 ? count - 1
-                                 : (k * (count - 1) + (places - 1) / 2) / (places - 1));
+    chosen.push_back(places == 1 ? count - 1 : (k * (count - 1) + (places - 1) / 2) / (places - 1));
   }
   return chosen;
 }

@@ -2,9 +2,11 @@
 //
 // Reads OUT/frames as io/frames writes them. What is kept is chosen once for all frames: of very
 // many particles the largest half of the places and an even sample of the rest, of very many frames
-// an even choice with the first and the last. Packed arrays are planes (all x, then all y ...), little-endian:
+// an even choice with the first and the last. Packed arrays are planes (all x, then all y ...),
+// little-endian:
 //   statics  u32 id, f32 radius, u16 species, class, shape (0xffff: sphere); spheres first
-//   frame    u8 high bytes of x, low bytes of x, the same of y and z (low + q / 65535 (high - low));
+//   frame    u8 high bytes of x, low bytes of x, the same of y and z (low + q / 65535 (high -
+//   low));
 //            u8 speed and spin, (q / 254)^2 of the largest, 255: the particle is not there;
 //            of the polyhedra u8 high, low bytes of the quaternion w, x, y, z, (q - 32767) / 32767
 //   walls    f32 corners of triangles, 9 each, wall by wall, at t = 0
@@ -20,15 +22,15 @@
 namespace quern {
 
 struct ViewBudget {
-  std::size_t bytes = 20u << 20;      // of all frames, packed
+  std::size_t bytes = 20u << 20;  // of all frames, packed
   std::size_t most_particles = 120000;
-  std::size_t wanted_frames = 60;     // particles are left out rather than go below these
+  std::size_t wanted_frames = 60;  // particles are left out rather than go below these
   std::size_t most_frames = 240;
 };
 
 struct RunView {
-  std::string json;                  // "null" where there are no frames
-  std::vector<std::string> packed;   // what `json` refers to by number, from `first_blob` on
+  std::string json;                 // "null" where there are no frames
+  std::vector<std::string> packed;  // what `json` refers to by number, from `first_blob` on
   std::vector<std::string> notes;
 };
 

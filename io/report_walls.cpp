@@ -63,16 +63,16 @@ std::string poses_json(const Motion& motion, const std::vector<double>& times) {
   for (const double time : times) {
     const Pose pose = pose_at(motion, time);
     const Quat q(pose.rotation);
-    json += fmt::format("{}[{:.7g},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g}]",
-                        json.empty() ? "" : ",", q.w(), q.x(), q.y(), q.z(), pose.shift[0],
-                        pose.shift[1], pose.shift[2]);
+    json +=
+        fmt::format("{}[{:.7g},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g}]", json.empty() ? "" : ",",
+                    q.w(), q.x(), q.y(), q.z(), pose.shift[0], pose.shift[1], pose.shift[2]);
   }
   return "[" + json + "]";
 }
 
-constexpr std::array<const char*, 6> kWearFields = {
-    "depth_rate_siem", "depth_rate_sliding", "depth_rate_archard",
-    "depth_rate_finnie", "pressure", "shear"};
+constexpr std::array<const char*, 6> kWearFields = {"depth_rate_siem",    "depth_rate_sliding",
+                                                    "depth_rate_archard", "depth_rate_finnie",
+                                                    "pressure",           "shear"};
 
 // The wear cells of a wall with what is told of each; "null" if there are none.
 std::string wear_json(const Hdf5File& results, const std::string& wall, std::size_t blob,
@@ -82,8 +82,8 @@ std::string wear_json(const Hdf5File& results, const std::string& wall, std::siz
   const ArrayLayout corner = results.layout(table + "/corner");
   if (corner.components != 9 || corner.rows == 0) return "null";
   if (corner.rows > kMostTriangles) {
-    out.notes.push_back(fmt::format("The {} wear cells of {} are too many to be drawn here",
-                                    corner.rows, wall));
+    out.notes.push_back(
+        fmt::format("The {} wear cells of {} are too many to be drawn here", corner.rows, wall));
     return "null";
   }
   const auto as_floats = [&](const std::string& name) {
@@ -130,8 +130,8 @@ WallsOfView read_walls(const WallQuery& query, const Scene& scene) {
   if (!fs::exists(path)) return out;
   const Surface surface = read_surface(path);
   if (surface.wall.size() > kMostTriangles) {
-    out.notes.push_back(fmt::format("The walls' {} triangles are too many to be drawn here",
-                                    surface.wall.size()));
+    out.notes.push_back(
+        fmt::format("The walls' {} triangles are too many to be drawn here", surface.wall.size()));
     return out;
   }
   const Hdf5File results("results", query.folder + "/run.h5", FileMode::kRead);
@@ -139,12 +139,10 @@ WallsOfView read_walls(const WallQuery& query, const Scene& scene) {
   std::string json;
   for (std::size_t k = 0; k < walls.size(); ++k) {
     const auto& [name, motion] = walls[k];
-    const std::vector<float> corners =
-        corners_of(surface, k, pose_at(motion, query.frame.time));
+    const std::vector<float> corners = corners_of(surface, k, pose_at(motion, query.frame.time));
     const std::size_t blob = query.first_blob + out.packed.size();
     out.packed.push_back(pack_floats(corners));
-    const std::string wear =
-        wear_json(results, name, query.first_blob + out.packed.size(), out);
+    const std::string wear = wear_json(results, name, query.first_blob + out.packed.size(), out);
     json += fmt::format("{}{{\"name\":{},\"blob\":{},\"triangles\":{},\"wear\":{},\"poses\":{}}}",
                         json.empty() ? "" : ",", json_string(name), blob, corners.size() / 9, wear,
                         poses_json(motion, query.times));

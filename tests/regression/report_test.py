@@ -124,7 +124,8 @@ class Report(unittest.TestCase):
     def test_is_written_at_the_end_of_a_run(self):
         out = WORK / "ended"
         shutil.rmtree(out, ignore_errors=True)
-        said = quern("run", SCENE, "--out", out, "--set", "run.settle=none", "--set", "run.duration=0.02")
+        said = quern("run", SCENE, "--out", out, "--set", "run.settle=none", "--set", "run.duration=0.02",
+                     "--set", "run.record_from=0")
         self.assertIn("report.html", said)
         self.assertIsNone(Page(out / "report.html").data["runs"][0]["view"])
 

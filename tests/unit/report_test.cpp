@@ -165,7 +165,7 @@ ParticleFrame charge(std::size_t n, double time) {
   for (std::size_t i = 0; i < n; ++i) {
     const double x = static_cast<double>(i * 7919 % 1009) / 1009;
     f.position.insert(f.position.end(), {x, x * x, 0.5 + 0.1 * time});
-    f.radius.push_back(static_cast<float>(0.001 * (1 + i % 7)));
+    f.radius.push_back(0.001f * static_cast<float>(1 + i % 7));
     f.velocity.insert(f.velocity.end(), {1.0f, static_cast<float>(x), 0});
     f.spin.insert(f.spin.end(), {0, 0, 2.0f});
     f.id.push_back(static_cast<std::uint32_t>(i));
@@ -180,8 +180,9 @@ TEST(Report, KeepsTitlesAsText) {
   const TempFolder folder;
   write_results(folder, 5);
   const std::string page = html_report({{folder.path(), ""}}, {});
-  EXPECT_NE(page.find("<title>&lt;/script&gt;&lt;script&gt;alert(1)&lt;/script&gt; &amp; co</title>"),
-            std::string::npos);
+  EXPECT_NE(
+      page.find("<title>&lt;/script&gt;&lt;script&gt;alert(1)&lt;/script&gt; &amp; co</title>"),
+      std::string::npos);
   EXPECT_EQ(page.find("alert(1)</script>"), std::string::npos);
   EXPECT_EQ(count(page, "</script>"), 2u);  // of the data and of the program
   EXPECT_EQ(report_program().find("</script"), std::string_view::npos);
@@ -275,7 +276,8 @@ TEST(View, PlacesParticlesToSixteenBits) {
     high = std::max(high, f.position[3 * i]);
   }
   for (std::size_t i = 0; i < 100; ++i) {
-    const int q = 256 * static_cast<std::uint8_t>(bytes[i]) + static_cast<std::uint8_t>(bytes[100 + i]);
+    const int q =
+        256 * static_cast<std::uint8_t>(bytes[i]) + static_cast<std::uint8_t>(bytes[100 + i]);
     EXPECT_NEAR(low + (high - low) * q / 65535, f.position[3 * i], (high - low) / 131070 + 1e-7);
   }
 }

@@ -1,7 +1,19 @@
 // Colour scales for fields, as lookup tables for textures and canvases. Viridis and a diverging
 // scale by their control points, linear between (Smith and van der Walt's viridis, sampled).
 
-const VIRIDIS = ["440154", "482475", "414487", "355f8d", "2a788e", "21918c", "22a884", "44bf70", "7ad151", "bddf26", "fde725"];
+const VIRIDIS = [
+  "440154",
+  "482475",
+  "414487",
+  "355f8d",
+  "2a788e",
+  "21918c",
+  "22a884",
+  "44bf70",
+  "7ad151",
+  "bddf26",
+  "fde725",
+];
 const HEAT = ["2b2b33", "4a2b3f", "7a2c45", "a8333f", "cf4a32", "e86f2b", "f59a36", "fac858", "fcf0a4"];
 const DIVERGING = ["2166ac", "4393c3", "92c5de", "d1e5f0", "f7f7f7", "fddbc7", "f4a582", "d6604d", "b2182b"];
 
@@ -10,10 +22,13 @@ function rgb(hex) {
 }
 
 function table(hexes, size = 256) {
-  const points = hexes.map(rgb), out = new Uint8ClampedArray(4 * size);
+  const points = hexes.map(rgb),
+    out = new Uint8ClampedArray(4 * size);
   for (let i = 0; i < size; i += 1) {
-    const at = i / (size - 1) * (points.length - 1), k = Math.min(Math.floor(at), points.length - 2);
-    for (let c = 0; c < 3; c += 1) out[4 * i + c] = points[k][c] + (at - k) * (points[k + 1][c] - points[k][c]);
+    const at = (i / (size - 1)) * (points.length - 1),
+      k = Math.min(Math.floor(at), points.length - 2);
+    for (let c = 0; c < 3; c += 1)
+      out[4 * i + c] = points[k][c] + (at - k) * (points[k + 1][c] - points[k][c]);
     out[4 * i + 3] = 255;
   }
   return out;
@@ -38,7 +53,7 @@ export function kinds() {
 
 export function cssGradient(lookup) {
   const stops = Array.from({ length: 17 }, (_, k) => {
-    const i = 4 * Math.round(k * 255 / 16);
+    const i = 4 * Math.round((k * 255) / 16);
     return `rgb(${lookup[i]},${lookup[i + 1]},${lookup[i + 2]})`;
   });
   return `linear-gradient(to right, ${stops.join(", ")})`;

@@ -3,7 +3,8 @@ import { blockMean, criticalSpeed, meanRate, timeOfRevolution } from "./derived.
 
 function bytesOf(text) {
   if (Uint8Array.fromBase64) return Uint8Array.fromBase64(text);
-  const raw = atob(text), bytes = new Uint8Array(raw.length);
+  const raw = atob(text),
+    bytes = new Uint8Array(raw.length);
   for (let i = 0; i < raw.length; i += 1) bytes[i] = raw.charCodeAt(i);
   return bytes;
 }
@@ -96,8 +97,12 @@ export class Run {
   fillIn() {
     const time = this.time;
     const first = time.findIndex((t) => t > this.recordFrom + 1e-9);
-    const means = { power: "power_W", torque: "torque_Nm", kinetic_energy: "kinetic_energy_J",
-      contacts_per_particle: "contacts_per_particle" };
+    const means = {
+      power: "power_W",
+      torque: "torque_Nm",
+      kinetic_energy: "kinetic_energy_J",
+      contacts_per_particle: "contacts_per_particle",
+    };
     for (const [series, name] of Object.entries(means)) {
       const values = first < 0 ? [] : this.values(`series/${series}`).slice(first);
       const mean = blockMean(values.filter((v) => v !== null));

@@ -9,7 +9,7 @@ export function blockMean(samples, blocks = 10) {
   const used = Math.min(blocks, n);
   if (used < 2) return { mean, error: NaN };
   const means = Array.from({ length: used }, (_, b) => {
-    const part = samples.slice(Math.floor(b * n / used), Math.floor((b + 1) * n / used));
+    const part = samples.slice(Math.floor((b * n) / used), Math.floor(((b + 1) * n) / used));
     return sum(part) / part.length;
   });
   const middle = sum(means) / used;
@@ -18,7 +18,7 @@ export function blockMean(samples, blocks = 10) {
 
 // rad/s: gravity just holds a point at the shell.
 export function criticalSpeed(diameter, gravity) {
-  return Math.sqrt(2 * gravity / diameter);
+  return Math.sqrt((2 * gravity) / diameter);
 }
 
 // Of a schedule [[time, rate], ...], linear between points, constant outside.
@@ -26,8 +26,9 @@ export function rateAt(schedule, time) {
   const later = schedule.findIndex(([t]) => t > time);
   if (later < 0) return schedule.at(-1)[1];
   if (later === 0) return schedule[0][1];
-  const [t0, r0] = schedule[later - 1], [t1, r1] = schedule[later];
-  return r0 + (r1 - r0) * (time - t0) / (t1 - t0);
+  const [t0, r0] = schedule[later - 1],
+    [t1, r1] = schedule[later];
+  return r0 + ((r1 - r0) * (time - t0)) / (t1 - t0);
 }
 
 // Angle turned from 0 to `time`.
@@ -45,7 +46,8 @@ export function meanRate(schedule, from, to) {
 }
 
 export function timeOfRevolution(schedule, revolutions) {
-  let low = 0, high = 1;
+  let low = 0,
+    high = 1;
   const done = (t) => Math.abs(turned(schedule, t)) >= 2 * Math.PI * revolutions;
   while (!done(high) && high < 1e7) high *= 2;
   for (let k = 0; k < 60; k += 1) {

@@ -22,14 +22,21 @@ export function svg(tag, attributes = {}, ...children) {
 }
 
 export function section(id, title, ...children) {
-  return el("section", { id, "aria-labelledby": `${id}-title` },
-    el("h2", { id: `${id}-title` }, title), ...children);
+  return el(
+    "section",
+    { id, "aria-labelledby": `${id}-title` },
+    el("h2", { id: `${id}-title` }, title),
+    ...children,
+  );
 }
 
 // A choice of few: options are [value, text]. Calls `change` with the value.
 export function select(label, options, change) {
-  const box = el("select", { onchange: () => change(box.value) },
-    options.map(([value, text]) => el("option", { value }, text)));
+  const box = el(
+    "select",
+    { onchange: () => change(box.value) },
+    options.map(([value, text]) => el("option", { value }, text)),
+  );
   return el("label", { class: "choice" }, `${label} `, box);
 }
 
@@ -49,11 +56,35 @@ export function uniqueId(stem) {
 // A table whose first column is names; cells are texts or elements. look: "quiet" (a heading stands
 // above already), "text" (columns of words).
 export function dataTable(caption, head, rows, look = "") {
-  return el("div", { class: `table ${look}`, tabindex: "0", role: "group", "aria-label": caption },
-    el("table", {}, el("caption", {}, caption),
-      el("thead", {}, el("tr", {}, head.map((text) => el("th", { scope: "col" }, text)))),
-      el("tbody", {}, rows.map((row) => el("tr", { class: row.strong ? "strong" : null },
-        row.map((cell, k) => el(k === 0 ? "th" : "td", k === 0 ? { scope: "row" } : {}, cell)))))));
+  return el(
+    "div",
+    { class: `table ${look}`, tabindex: "0", role: "group", "aria-label": caption },
+    el(
+      "table",
+      {},
+      el("caption", {}, caption),
+      el(
+        "thead",
+        {},
+        el(
+          "tr",
+          {},
+          head.map((text) => el("th", { scope: "col" }, text)),
+        ),
+      ),
+      el(
+        "tbody",
+        {},
+        rows.map((row) =>
+          el(
+            "tr",
+            { class: row.strong ? "strong" : null },
+            row.map((cell, k) => el(k === 0 ? "th" : "td", k === 0 ? { scope: "row" } : {}, cell)),
+          ),
+        ),
+      ),
+    ),
+  );
 }
 
 // Hands `text` out as a file, from inside the page.

@@ -3,7 +3,16 @@
 
 const SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
 const PREFIXED = new Set(["W", "J", "N m", "N", "Pa", "Hz"]);
-const PREFIXES = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "µ"], [1e-9, "n"], [1e-12, "p"]];
+const PREFIXES = [
+  [1e9, "G"],
+  [1e6, "M"],
+  [1e3, "k"],
+  [1, ""],
+  [1e-3, "m"],
+  [1e-6, "µ"],
+  [1e-9, "n"],
+  [1e-12, "p"],
+];
 
 export const NARROW = "\u202f";
 
@@ -41,7 +50,9 @@ function grouped(text) {
 export function plain(value, most = 4) {
   if (!Number.isFinite(value)) return "–";
   const exact = Number(value.toPrecision(most));
-  return Math.abs(exact) >= 1e5 || (exact !== 0 && Math.abs(exact) < 1e-3) ? number(value) : minus(String(exact));
+  return Math.abs(exact) >= 1e5 || (exact !== 0 && Math.abs(exact) < 1e-3)
+    ? number(value)
+    : minus(String(exact));
 }
 
 // A value with its unit and prefix, to so many digits.
@@ -54,11 +65,14 @@ export function withUnit(value, unit, digits = 3) {
 // Ticks of an even axis with the decimals that their step needs.
 export function tickTexts(ticks) {
   const given = ticks.filter((v) => v !== null && v !== undefined);
-  const step = given.length > 1 ? Math.abs(given[1] - given[0]) : 0, most = Math.max(...given.map(Math.abs));
+  const step = given.length > 1 ? Math.abs(given[1] - given[0]) : 0,
+    most = Math.max(...given.map(Math.abs));
   if (!(step > 0) || most >= 1e6 || most < 1e-3) return ticks.map((v) => (v === null ? "" : number(v, 2)));
   let places = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
   if (Math.abs(step * 10 ** places - Math.round(step * 10 ** places)) > 1e-6) places += 1;
-  return ticks.map((v) => (v === null ? "" : minus(grouped((Math.abs(v) < step * 1e-6 ? 0 : v).toFixed(places)))));
+  return ticks.map((v) =>
+    v === null ? "" : minus(grouped((Math.abs(v) < step * 1e-6 ? 0 : v).toFixed(places))),
+  );
 }
 
 // The prefix that suits an axis up to `most`.
@@ -88,7 +102,8 @@ export function parts(value, error, unit) {
     return { value: "–", error: "", unit: "" };
   }
   const [size, prefix] = prefixFor(Math.max(Math.abs(value), Number.isFinite(error) ? error : 0), unit);
-  const v = value / size, e = error / size;
+  const v = value / size,
+    e = error / size;
   const shown = unit === "1" ? "" : `${prefix}${unit}`;
   const large = Math.abs(v) >= 1e6 || (v !== 0 && Math.abs(v) < 1e-3);
   if (large) return { value: number(v), error: Number.isFinite(e) ? number(e, 2) : "", unit: shown };
@@ -109,10 +124,12 @@ export function withError(value, error, unit) {
 export function duration(seconds) {
   if (!Number.isFinite(seconds)) return "–";
   if (seconds < 120) return `${number(seconds)} s`;
-  const s = Math.round(seconds), pad = (n) => String(n).padStart(2, "0");
+  const s = Math.round(seconds),
+    pad = (n) => String(n).padStart(2, "0");
   const hours = Math.floor(s / 3600);
-  return hours > 0 ? `${hours}:${pad(Math.floor(s / 60) % 60)}:${pad(s % 60)} h`
-                   : `${Math.floor(s / 60)}:${pad(s % 60)} min`;
+  return hours > 0
+    ? `${hours}:${pad(Math.floor(s / 60) % 60)}:${pad(s % 60)} h`
+    : `${Math.floor(s / 60)}:${pad(s % 60)} min`;
 }
 
 // "m/s^2" -> "m/s²"

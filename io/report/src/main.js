@@ -24,15 +24,25 @@ async function start() {
   if (moving) await moving.start();
   const seconds = performance.now() / 1000;
   await new Promise((done) => setTimeout(done)); // the picture first
-  const parts = [power, charge, wear, spectra, classes, formulas, notes, course].map((make) => make(page)).filter(Boolean);
+  const parts = [power, charge, wear, spectra, classes, formulas, notes, course]
+    .map((make) => make(page))
+    .filter(Boolean);
   main.append(...parts);
   main.querySelector("header").after(contents([moving, ...parts].filter(Boolean)));
-  main.append(el("footer", {}, `Made by quern ${page.runs[0].provenance.version ?? ""}. All numbers are in run.h5 and summary.json under the same names.`));
+  main.append(
+    el(
+      "footer",
+      {},
+      `Made by quern ${page.runs[0].provenance.version ?? ""}. All numbers are in run.h5 and summary.json under the same names.`,
+    ),
+  );
   // For tests and scripts.
   window.quern = { page, plots, clock: moving?.clock ?? null, firstPicture: seconds, ready: true };
 }
 
 start().catch((error) => {
-  document.getElementById("page").prepend(el("p", { class: "bad" }, `This page does not work here: ${error.message}`));
+  document
+    .getElementById("page")
+    .prepend(el("p", { class: "bad" }, `This page does not work here: ${error.message}`));
   throw error;
 });

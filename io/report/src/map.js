@@ -11,7 +11,7 @@ export class PolarGrid {
     this.rings = radius.length;
     this.angles = angle.length;
     this.width = this.rings > 1 ? (radius.at(-1) - radius[0]) / (this.rings - 1) : 2 * radius[0];
-    this.step = 2 * Math.PI / this.angles;
+    this.step = (2 * Math.PI) / this.angles;
     this.start = angle[0] * DEGREE - 0.5 * this.step;
     this.inner = radius[0] - 0.5 * this.width;
     this.outer = this.inner + this.rings * this.width;
@@ -26,7 +26,11 @@ export class PolarGrid {
   }
 
   sameAs(other) {
-    return this.rings === other.rings && this.angles === other.angles && Math.abs(this.outer - other.outer) < 1e-6 * this.outer;
+    return (
+      this.rings === other.rings &&
+      this.angles === other.angles &&
+      Math.abs(this.outer - other.outer) < 1e-6 * this.outer
+    );
   }
 }
 
@@ -42,16 +46,28 @@ export function mapFigure(title, content) {
     canvas.width = canvas.height = Math.round(size * ratio);
     canvas.style.width = canvas.style.height = `${size}px`;
     const map = content();
-    canvas.setAttribute("aria-label", `${title}: ${map.label}. ${map.rays.map((ray) => `${ray.label} ${number(ray.angle)} degrees`).join(", ")}`);
+    canvas.setAttribute(
+      "aria-label",
+      `${title}: ${map.label}. ${map.rays.map((ray) => `${ray.label} ${number(ray.angle)} degrees`).join(", ")}`,
+    );
     paint(canvas, map, ratio);
   };
   canvas.addEventListener("pointermove", (event) => {
-    const map = content(), box = canvas.getBoundingClientRect(), scale = canvas.clientWidth / 2 / (map.grid.outer * 1.16);
-    const x = (event.clientX - box.left - box.width / 2) / scale, y = -(event.clientY - box.top - box.height / 2) / scale;
-    const cell = map.grid.cell(x, y), angle = (Math.atan2(y, x) / DEGREE + 360) % 360;
-    reading.value = cell < 0 ? " " : `r ${number(Math.hypot(x, y))} m, ${angle.toFixed(0)}°: ${number(map.values[cell])} ${unitText(map.unit)}`;
+    const map = content(),
+      box = canvas.getBoundingClientRect(),
+      scale = canvas.clientWidth / 2 / (map.grid.outer * 1.16);
+    const x = (event.clientX - box.left - box.width / 2) / scale,
+      y = -(event.clientY - box.top - box.height / 2) / scale;
+    const cell = map.grid.cell(x, y),
+      angle = (Math.atan2(y, x) / DEGREE + 360) % 360;
+    reading.value =
+      cell < 0
+        ? " "
+        : `r ${number(Math.hypot(x, y))} m, ${angle.toFixed(0)}°: ${number(map.values[cell])} ${unitText(map.unit)}`;
   });
-  canvas.addEventListener("pointerleave", () => { reading.value = " "; });
+  canvas.addEventListener("pointerleave", () => {
+    reading.value = " ";
+  });
   new ResizeObserver(draw).observe(figure);
   onTheme(draw);
   figure.draw = draw;
@@ -60,7 +76,9 @@ export function mapFigure(title, content) {
 
 function paint(canvas, map, ratio) {
   const context = canvas.getContext("2d");
-  const { grid } = map, half = canvas.width / 2, scale = half / (grid.outer * 1.16);
+  const { grid } = map,
+    half = canvas.width / 2,
+    scale = half / (grid.outer * 1.16);
   const image = context.createImageData(canvas.width, canvas.height);
   for (let py = 0; py < canvas.height; py += 1) {
     const y = (half - py - 0.5) / scale;
@@ -89,7 +107,9 @@ function drawLiner(context, { profile, grid }, scale, ratio) {
   context.beginPath();
   context.arc(0, 0, grid.outer * scale * 1.035, 0, 2 * Math.PI);
   if (profile.length > 0) {
-    profile.forEach(([x, y], k) => (k === 0 ? context.moveTo(x * scale, y * scale) : context.lineTo(x * scale, y * scale)));
+    profile.forEach(([x, y], k) =>
+      k === 0 ? context.moveTo(x * scale, y * scale) : context.lineTo(x * scale, y * scale),
+    );
     context.closePath();
   } else {
     context.moveTo(grid.outer * scale, 0);
@@ -104,14 +124,15 @@ function drawLiner(context, { profile, grid }, scale, ratio) {
 
 // One arrow a patch of cells, where there is something that moves.
 function drawArrows(context, { grid, arrows }, scale, ratio) {
-  const spacing = grid.outer / 11, longest = Math.max(...arrows.speed.filter((v) => Number.isFinite(v)), 1e-12);
+  const spacing = grid.outer / 11,
+    longest = Math.max(...arrows.speed.filter((v) => Number.isFinite(v)), 1e-12);
   context.strokeStyle = context.fillStyle = css("--arrow");
   context.lineWidth = 1.3 * ratio;
   for (let y = -grid.outer; y <= grid.outer; y += spacing) {
     for (let x = -grid.outer; x <= grid.outer; x += spacing) {
       const cell = grid.cell(x, y);
       if (cell < 0 || !(arrows.solid[cell] > 0.05)) continue;
-      const length = 1.5 * spacing * Math.hypot(arrows.x[cell], arrows.y[cell]) / longest * scale;
+      const length = ((1.5 * spacing * Math.hypot(arrows.x[cell], arrows.y[cell])) / longest) * scale;
       if (length < 2 * ratio) continue;
       arrow(context, x * scale, y * scale, Math.atan2(arrows.y[cell], arrows.x[cell]), length, ratio);
     }
@@ -123,8 +144,15 @@ function arrow(context, x, y, angle, length, ratio) {
   context.save();
   context.translate(x, y);
   context.rotate(angle);
-  context.beginPath(); context.moveTo(0, 0); context.lineTo(length - head, 0); context.stroke();
-  context.beginPath(); context.moveTo(length, 0); context.lineTo(length - head, 0.55 * head); context.lineTo(length - head, -0.55 * head); context.fill();
+  context.beginPath();
+  context.moveTo(0, 0);
+  context.lineTo(length - head, 0);
+  context.stroke();
+  context.beginPath();
+  context.moveTo(length, 0);
+  context.lineTo(length - head, 0.55 * head);
+  context.lineTo(length - head, -0.55 * head);
+  context.fill();
   context.restore();
 }
 
@@ -133,7 +161,8 @@ function drawRays(context, { rays, grid }, { half, scale, ratio }) {
   context.textBaseline = "middle";
   const taken = [];
   for (const ray of rays) {
-    const c = Math.cos(ray.angle * DEGREE), s = Math.sin(ray.angle * DEGREE);
+    const c = Math.cos(ray.angle * DEGREE),
+      s = Math.sin(ray.angle * DEGREE);
     context.strokeStyle = context.fillStyle = css("--ray");
     context.lineWidth = 1.6 * ratio;
     context.setLineDash(ray.dash ? [5 * ratio, 4 * ratio] : []);
@@ -142,11 +171,14 @@ function drawRays(context, { rays, grid }, { half, scale, ratio }) {
     context.lineTo(half + 1.06 * c * grid.outer * scale, half - 1.06 * s * grid.outer * scale);
     context.stroke();
     context.setLineDash([]);
-    const text = `${ray.label} ${ray.angle.toFixed(0)}°`, width = context.measureText(text).width;
-    let x = half + 1.09 * c * grid.outer * scale - (c < 0 ? width : 0), y = half - 1.09 * s * grid.outer * scale;
+    const text = `${ray.label} ${ray.angle.toFixed(0)}°`,
+      width = context.measureText(text).width;
+    let x = half + 1.09 * c * grid.outer * scale - (c < 0 ? width : 0),
+      y = half - 1.09 * s * grid.outer * scale;
     x = Math.max(2 * ratio, Math.min(2 * half - width - 2 * ratio, x));
     y = Math.max(9 * ratio, Math.min(2 * half - 9 * ratio, y));
-    while (taken.some((t) => Math.abs(t.y - y) < 15 * ratio && x < t.x + t.width && t.x < x + width)) y += (s < 0 ? -1 : 1) * 15 * ratio;
+    while (taken.some((t) => Math.abs(t.y - y) < 15 * ratio && x < t.x + t.width && t.x < x + width))
+      y += (s < 0 ? -1 : 1) * 15 * ratio;
     taken.push({ x, y, width });
     context.fillStyle = css("--halo");
     context.fillRect(x - 3 * ratio, y - 8 * ratio, width + 6 * ratio, 16 * ratio);

@@ -16,10 +16,12 @@ const FONT = "12px system-ui, sans-serif";
 function decades(low, high, most) {
   if (high / low < 100) {
     const all = [];
-    for (let k = Math.floor(Math.log10(low)); k <= Math.log10(high); k += 1) all.push(...[1, 2, 5].map((m) => m * 10 ** k));
+    for (let k = Math.floor(Math.log10(low)); k <= Math.log10(high); k += 1)
+      all.push(...[1, 2, 5].map((m) => m * 10 ** k));
     return all.filter((v) => v >= low * 0.999 && v <= high * 1.001);
   }
-  const first = Math.ceil(Math.log10(low) - 1e-9), last = Math.floor(Math.log10(high) + 1e-9);
+  const first = Math.ceil(Math.log10(low) - 1e-9),
+    last = Math.floor(Math.log10(high) + 1e-9);
   const step = Math.max(1, Math.ceil((last - first + 1) / most));
   const ticks = [];
   for (let k = Math.ceil(first / step) * step; k <= last; k += step) ticks.push(10 ** k);
@@ -29,7 +31,9 @@ function decades(low, high, most) {
 function axis(spec, side, most) {
   const common = {
     label: labelled(spec.label, spec.unit),
-    font: FONT, labelFont: FONT, labelSize: 22,
+    font: FONT,
+    labelFont: FONT,
+    labelSize: 22,
     stroke: () => css("--text"),
     grid: { stroke: () => css("--grid"), width: 1 },
     ticks: { stroke: () => css("--grid"), width: 1, size: 5 },
@@ -48,7 +52,8 @@ function axis(spec, side, most) {
 
 // 10⁻⁶, 2·10⁻⁶; near one as plain numbers.
 function logText(v) {
-  const exponent = Math.floor(Math.log10(v) + 1e-9), mantissa = Math.round(v / 10 ** exponent);
+  const exponent = Math.floor(Math.log10(v) + 1e-9),
+    mantissa = Math.round(v / 10 ** exponent);
   if (exponent >= -2 && exponent <= 3) return exponent >= 0 ? String(Math.round(v)) : v.toFixed(-exponent);
   return mantissa === 1 ? powerOfTen(exponent) : `${mantissa}·${powerOfTen(exponent)}`;
 }
@@ -59,16 +64,27 @@ function scaled(spec) {
   const [size, prefix] = spec.y.log ? [1, ""] : axisPrefix(most, spec.y.unit);
   if (size === 1) return spec;
   const shrink = (list) => list?.map((v) => (v === null || v === undefined ? v : v / size));
-  return { ...spec, y: { ...spec.y, unit: `${prefix}${spec.y.unit}` },
-    series: spec.series.map((line) => ({ ...line, y: shrink(line.y), error: shrink(line.error), spread: shrink(line.spread) })) };
+  return {
+    ...spec,
+    y: { ...spec.y, unit: `${prefix}${spec.y.unit}` },
+    series: spec.series.map((line) => ({
+      ...line,
+      y: shrink(line.y),
+      error: shrink(line.error),
+      spread: shrink(line.spread),
+    })),
+  };
 }
 
-const usable = (v, log) => (v === null || v === undefined || !Number.isFinite(v) || (log && v <= 0) ? null : v);
+const usable = (v, log) =>
+  v === null || v === undefined || !Number.isFinite(v) || (log && v <= 0) ? null : v;
 
 // One list of places for all lines.
 function join(spec) {
   const tables = spec.series.map((line) => {
-    const rows = line.x.map((x, k) => [usable(x, spec.x.log), k]).filter(([x]) => x !== null)
+    const rows = line.x
+      .map((x, k) => [usable(x, spec.x.log), k])
+      .filter(([x]) => x !== null)
       .sort((a, b) => a[0] - b[0]);
     const pick = (list) => rows.map(([, k]) => usable(list[k], spec.y.log));
     const columns = [pick(line.y)];
@@ -86,22 +102,39 @@ function join(spec) {
 function assemble(spec) {
   const tables = join(spec);
   const joined = uPlot.join(tables);
-  const data = [joined[0]], lines = [{}], errors = new Map(), bands = [];
+  const data = [joined[0]],
+    lines = [{}],
+    errors = new Map(),
+    bands = [];
   let at = 1;
   spec.series.forEach((line, k) => {
     const stroke = () => colour(line.colour ?? k);
     lines.push({
-      label: line.label, stroke, width: 1.75, dash: line.dash, spanGaps: true,
+      label: line.label,
+      stroke,
+      width: 1.75,
+      dash: line.dash,
+      spanGaps: true,
       points: { show: line.points ?? false, size: 7, fill: stroke },
       value: (_, v) => (v === null || v === undefined ? "" : number(v, 4)),
     });
     data.push(joined[at]);
     const main = data.length - 1;
     at += 1;
-    if (line.error) { errors.set(main, joined[at]); at += 1; }
+    if (line.error) {
+      errors.set(main, joined[at]);
+      at += 1;
+    }
     if (line.spread) {
       for (let side = 0; side < 2; side += 1) {
-        lines.push({ label: "", stroke: "transparent", width: 0, points: { show: false }, spanGaps: true, auxiliary: true });
+        lines.push({
+          label: "",
+          stroke: "transparent",
+          width: 0,
+          points: { show: false },
+          spanGaps: true,
+          auxiliary: true,
+        });
         data.push(joined[at]);
         at += 1;
       }
@@ -124,11 +157,18 @@ function whiskers(errors) {
       u.data[k].forEach((value, i) => {
         if (value === null || value === undefined || !(error[i] > 0)) return;
         const x = u.valToPos(u.data[0][i], "x", true);
-        const low = u.valToPos(Math.max(value - error[i], u.scales.y.distr === 3 ? u.scales.y.min : -Infinity), "y", true);
+        const low = u.valToPos(
+          Math.max(value - error[i], u.scales.y.distr === 3 ? u.scales.y.min : -Infinity),
+          "y",
+          true,
+        );
         const high = u.valToPos(value + error[i], "y", true);
-        ctx.moveTo(x, low); ctx.lineTo(x, high);
-        ctx.moveTo(x - half, low); ctx.lineTo(x + half, low);
-        ctx.moveTo(x - half, high); ctx.lineTo(x + half, high);
+        ctx.moveTo(x, low);
+        ctx.lineTo(x, high);
+        ctx.moveTo(x - half, low);
+        ctx.lineTo(x + half, low);
+        ctx.moveTo(x - half, high);
+        ctx.lineTo(x + half, high);
       });
       ctx.stroke();
     }
@@ -146,7 +186,10 @@ function drawMarks(marks) {
     for (const mark of marks) {
       const x = u.valToPos(mark.at, "x", true);
       if (!(x >= bbox.left && x <= bbox.left + bbox.width)) continue;
-      ctx.beginPath(); ctx.moveTo(x, bbox.top); ctx.lineTo(x, bbox.top + bbox.height); ctx.stroke();
+      ctx.beginPath();
+      ctx.moveTo(x, bbox.top);
+      ctx.lineTo(x, bbox.top + bbox.height);
+      ctx.stroke();
       const left = x > bbox.left + 0.8 * bbox.width;
       ctx.textAlign = left ? "right" : "left";
       ctx.fillText(mark.label, x + (left ? -5 : 5) * devicePixelRatio, bbox.top + 13 * devicePixelRatio);
@@ -174,16 +217,28 @@ function range(spec) {
 
 // "0 ... 12" of the drawn values, for those who do not see the plot.
 function describe(spec, data) {
-  const x = data[0], names = spec.series.map((line) => line.label).join(", ");
-  return `${spec.title}: ${labelled(spec.y.label, spec.y.unit)} against ${labelled(spec.x.label, spec.x.unit)}, ` +
-    `${number(x[0])} to ${number(x.at(-1))}; ${names}. Arrow keys move the reading.`;
+  const x = data[0],
+    names = spec.series.map((line) => line.label).join(", ");
+  return (
+    `${spec.title}: ${labelled(spec.y.label, spec.y.unit)} against ${labelled(spec.x.label, spec.x.unit)}, ` +
+    `${number(x[0])} to ${number(x.at(-1))}; ${names}. Arrow keys move the reading.`
+  );
 }
 
 export function csvOf(spec) {
   const quote = (text) => `"${String(text).replaceAll('"', '""')}"`;
   const unit = (u) => (u === "1" ? "" : ` [${u}]`);
-  const lines = [[`${spec.x.label}${unit(spec.x.unit)}`, "line", `${spec.y.label}${unit(spec.y.unit)}`,
-    "standard error", "spread"].map(quote).join(",")];
+  const lines = [
+    [
+      `${spec.x.label}${unit(spec.x.unit)}`,
+      "line",
+      `${spec.y.label}${unit(spec.y.unit)}`,
+      "standard error",
+      "spread",
+    ]
+      .map(quote)
+      .join(","),
+  ];
   for (const line of spec.series) {
     line.x.forEach((x, k) => {
       const cells = [x, quote(line.label), line.y[k], line.error?.[k], line.spread?.[k]];
@@ -194,12 +249,23 @@ export function csvOf(spec) {
 }
 
 export function fileName(title) {
-  return `${title.toLowerCase().replace(/[^a-z0-9]+/g, "_").replace(/^_|_$/g, "")}.csv`;
+  return `${title
+    .toLowerCase()
+    .replace(/[^a-z0-9]+/g, "_")
+    .replace(/^_|_$/g, "")}.csv`;
 }
 
 export function csvButton(title, text) {
-  return el("button", { type: "button", class: "csv", "aria-label": `Numbers of: ${title}, as CSV`,
-    onclick: () => download(fileName(title), text()) }, "CSV");
+  return el(
+    "button",
+    {
+      type: "button",
+      class: "csv",
+      "aria-label": `Numbers of: ${title}, as CSV`,
+      onclick: () => download(fileName(title), text()),
+    },
+    "CSV",
+  );
 }
 
 function moveReading(u, event) {
@@ -229,10 +295,28 @@ export function plot(fresh) {
   const host = el("div", { class: "plot-area", tabindex: "0", role: "img" });
   const title = el("h3", {}, spec.title);
   const note = el("p", { class: "note" });
-  const figure = el("figure", { class: "plot" },
-    el("div", { class: "plot-head" }, title, csvButton(spec.title, () => csvOf(spec))), host, note);
+  const figure = el(
+    "figure",
+    { class: "plot" },
+    el(
+      "div",
+      { class: "plot-head" },
+      title,
+      csvButton(spec.title, () => csvOf(spec)),
+    ),
+    host,
+    note,
+  );
   let u = null;
-  const entry = { figure, get spec() { return spec; }, get data() { return u?.data; } };
+  const entry = {
+    figure,
+    get spec() {
+      return spec;
+    },
+    get data() {
+      return u?.data;
+    },
+  };
   plots.push(entry);
 
   const size = () => ({ width: Math.max(240, host.clientWidth), height: host.clientWidth < 500 ? 260 : 320 });
@@ -243,19 +327,36 @@ export function plot(fresh) {
     u?.destroy();
     const shown = scaled(spec);
     const { data, lines, errors, bands } = assemble(shown);
-    lines[0] = { label: labelled(spec.x.label, spec.x.unit), value: (_, v) => (v === null || v === undefined ? "" : number(v, 4)) };
-    u = new uPlot({
-      ...size(),
-      scales: { x: { time: false, distr: spec.x.log ? 3 : 1, range: rangeOfPlaces(spec) }, y: { distr: spec.y.log ? 3 : 1, range: range(spec.y) } },
-      axes: [axis(spec.x, "x", (p) => p.width / 60), axis(shown.y, "y", (p) => p.height / 30)],
-      series: lines,
-      bands,
-      cursor: { drag: { x: true, y: false } },
-      // A line's look: filled, or framed with its dashes.
-      legend: { live: true, markers: { width: 2, fill: (p, k) => (lines[k].dash ? "transparent" : p.series[k].stroke()),
-        stroke: (p, k) => p.series[k].stroke(), dash: (_, k) => (lines[k].dash ? (lines[k].dash[0] > 3 ? "dashed" : "dotted") : "solid") } },
-      hooks: { draw: [whiskers(errors), drawMarks(spec.marks ?? [])] },
-    }, data, host);
+    lines[0] = {
+      label: labelled(spec.x.label, spec.x.unit),
+      value: (_, v) => (v === null || v === undefined ? "" : number(v, 4)),
+    };
+    u = new uPlot(
+      {
+        ...size(),
+        scales: {
+          x: { time: false, distr: spec.x.log ? 3 : 1, range: rangeOfPlaces(spec) },
+          y: { distr: spec.y.log ? 3 : 1, range: range(spec.y) },
+        },
+        axes: [axis(spec.x, "x", (p) => p.width / 60), axis(shown.y, "y", (p) => p.height / 30)],
+        series: lines,
+        bands,
+        cursor: { drag: { x: true, y: false } },
+        // A line's look: filled, or framed with its dashes.
+        legend: {
+          live: true,
+          markers: {
+            width: 2,
+            fill: (p, k) => (lines[k].dash ? "transparent" : p.series[k].stroke()),
+            stroke: (p, k) => p.series[k].stroke(),
+            dash: (_, k) => (lines[k].dash ? (lines[k].dash[0] > 3 ? "dashed" : "dotted") : "solid"),
+          },
+        },
+        hooks: { draw: [whiskers(errors), drawMarks(spec.marks ?? [])] },
+      },
+      data,
+      host,
+    );
     lines.forEach((line, k) => {
       if (line.auxiliary) host.querySelectorAll(".u-legend .u-series")[k].hidden = true;
     });

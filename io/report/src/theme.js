@@ -35,5 +35,11 @@ function tell() {
 }
 
 dark.addEventListener("change", tell);
-addEventListener("beforeprint", () => { printing = true; tell(); });
-addEventListener("afterprint", () => { printing = false; tell(); });
+addEventListener("beforeprint", () => {
+  printing = true;
+  tell();
+});
+addEventListener("afterprint", () => {
+  printing = false;
+  tell();
+});

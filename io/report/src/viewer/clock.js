@@ -10,8 +10,15 @@ export class Clock {
     this.times = [...runs.map((run) => run.view.times)].sort((a, b) => b.length - a.length)[0];
     this.playing = false;
     this.at = this.times.length - 1;
-    this.slider = el("input", { type: "range", min: "0", max: String(this.at), value: String(this.at), step: "1",
-      "aria-label": "Time of the picture", oninput: () => this.go(Number(this.slider.value)) });
+    this.slider = el("input", {
+      type: "range",
+      min: "0",
+      max: String(this.at),
+      value: String(this.at),
+      step: "1",
+      "aria-label": "Time of the picture",
+      oninput: () => this.go(Number(this.slider.value)),
+    });
     this.button = el("button", { type: "button", class: "play", onclick: () => this.toggle() }, "Play");
     this.time = el("output", { class: "time" }, `t = ${this.times[this.at].toFixed(3)} s`);
     for (const viewer of this.viewers) viewer.host.addEventListener("keydown", (event) => this.key(event));
@@ -20,7 +27,10 @@ export class Clock {
   // All viewers, so that they share their scales.
   async start() {
     await Promise.all(this.viewers.map((viewer) => viewer.read()));
-    const sizes = this.viewers.flatMap(({ frames }) => [frames.radius.reduce((a, b) => Math.min(a, b), Infinity), frames.radius.reduce((a, b) => Math.max(a, b), 0)]);
+    const sizes = this.viewers.flatMap(({ frames }) => [
+      frames.radius.reduce((a, b) => Math.min(a, b), Infinity),
+      frames.radius.reduce((a, b) => Math.max(a, b), 0),
+    ]);
     this.radii = [Math.min(...sizes), Math.max(...sizes)];
     for (const viewer of this.viewers) await viewer.start();
   }
@@ -66,19 +76,49 @@ export class Clock {
   }
 
   controls() {
-    const colours = [["speed", "speed"], ["size", "size"], ["spin", "spin"], ["species", "group"], ["class", "size class"]];
+    const colours = [
+      ["speed", "speed"],
+      ["size", "size"],
+      ["spin", "spin"],
+      ["species", "group"],
+      ["class", "size class"],
+    ];
     const fields = this.viewers[0].walls.fields;
     const each = (act) => (value) => this.viewers.forEach((viewer) => act(viewer, value));
     const first = this.viewers[0];
-    return el("div", { class: "controls" }, this.button, this.slider, this.time,
-      select("Colour by", colours, each((viewer, value) => viewer.colourBy(value))),
-      fields.length > 0 ? select("Liner by", [...fields.map((f) => [f.name, WEAR_NAMES[f.name]]), ["", "nothing"]],
-        each((viewer, value) => viewer.paintWalls(value))) : null,
-      first.walls.walls.length > 0 ? checkbox("walls", true, each((viewer, shown) => {
-        viewer.walls.group.visible = shown;
-        viewer.stage.draw();
-      })) : null,
-      el("button", { type: "button", onclick: () => this.viewers.forEach((v) => v.stage.home(v.target)) }, "Reset view"));
+    return el(
+      "div",
+      { class: "controls" },
+      this.button,
+      this.slider,
+      this.time,
+      select(
+        "Colour by",
+        colours,
+        each((viewer, value) => viewer.colourBy(value)),
+      ),
+      fields.length > 0
+        ? select(
+            "Liner by",
+            [...fields.map((f) => [f.name, WEAR_NAMES[f.name]]), ["", "nothing"]],
+            each((viewer, value) => viewer.paintWalls(value)),
+          )
+        : null,
+      first.walls.walls.length > 0
+        ? checkbox(
+            "walls",
+            true,
+            each((viewer, shown) => {
+              viewer.walls.group.visible = shown;
+              viewer.stage.draw();
+            }),
+          )
+        : null,
+      el(
+        "button",
+        { type: "button", onclick: () => this.viewers.forEach((v) => v.stage.home(v.target)) },
+        "Reset view",
+      ),
+    );
   }
 }
-

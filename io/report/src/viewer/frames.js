@@ -13,7 +13,8 @@ export class Frames {
   }
 
   async readStatics() {
-    const buffer = await blob(this.view.statics), n = this.count;
+    const buffer = await blob(this.view.statics),
+      n = this.count;
     this.id = new Uint32Array(buffer, 0, n);
     this.radius = new Float32Array(buffer, 4 * n, n);
     this.species = new Uint16Array(buffer, 8 * n, n);
@@ -29,15 +30,20 @@ export class Frames {
 
   async decode(k) {
     const bytes = new Uint8Array(await blob(this.view.frames + k));
-    const { count, spheres, view } = this, bodies = count - spheres;
-    const position = new Float32Array(3 * count), orientation = new Float32Array(4 * bodies);
+    const { count, spheres, view } = this,
+      bodies = count - spheres;
+    const position = new Float32Array(3 * count),
+      orientation = new Float32Array(4 * bodies);
     for (let axis = 0; axis < 3; axis += 1) {
-      const at = 2 * count * axis, low = view.low[axis], step = (view.high[axis] - low) / 65535;
+      const at = 2 * count * axis,
+        low = view.low[axis],
+        step = (view.high[axis] - low) / 65535;
       for (let i = 0; i < count; i += 1) {
         position[3 * i + axis] = low + step * (256 * bytes[at + i] + bytes[at + count + i]);
       }
     }
-    const speed = bytes.subarray(6 * count, 7 * count), spin = bytes.subarray(7 * count, 8 * count);
+    const speed = bytes.subarray(6 * count, 7 * count),
+      spin = bytes.subarray(7 * count, 8 * count);
     for (let c = 0; c < 4; c += 1) {
       const at = 8 * count + 2 * bodies * c;
       for (let i = 0; i < bodies; i += 1) {

@@ -82,8 +82,13 @@ const BODY_FRAGMENT = `
 
 function material(vertexShader, fragmentShader, colours) {
   return new THREE.RawShaderMaterial({
-    glslVersion: THREE.GLSL3, vertexShader, fragmentShader,
-    uniforms: { colours: { value: colours }, lightDirection: { value: new THREE.Vector3(0.35, 0.45, 0.82).normalize() } },
+    glslVersion: THREE.GLSL3,
+    vertexShader,
+    fragmentShader,
+    uniforms: {
+      colours: { value: colours },
+      lightDirection: { value: new THREE.Vector3(0.35, 0.45, 0.82).normalize() },
+    },
   });
 }
 
@@ -115,7 +120,9 @@ class Instances {
   }
 
   colour(bytes) {
-    this.rows.forEach((row, i) => { this.value.array[i] = bytes[row]; });
+    this.rows.forEach((row, i) => {
+      this.value.array[i] = bytes[row];
+    });
     this.value.needsUpdate = true;
   }
 }
@@ -139,7 +146,10 @@ class Bodies extends Instances {
 
 const squareGeometry = () => {
   const geometry = new THREE.InstancedBufferGeometry();
-  geometry.setAttribute("position", new THREE.Float32BufferAttribute([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0], 3));
+  geometry.setAttribute(
+    "position",
+    new THREE.Float32BufferAttribute([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0], 3),
+  );
   geometry.setIndex([0, 1, 2, 0, 2, 3]);
   return geometry;
 };
@@ -160,12 +170,21 @@ export class Particles {
     const rowsOf = (wanted) => [...frames.shape.keys()].filter((row) => frames.shape[row] === wanted);
     if (frames.spheres > 0) {
       const rows = Array.from({ length: frames.spheres }, (_, k) => k);
-      this.parts.push(new Instances(squareGeometry(), material(SPHERE_VERTEX, SPHERE_FRAGMENT, colours), rows));
+      this.parts.push(
+        new Instances(squareGeometry(), material(SPHERE_VERTEX, SPHERE_FRAGMENT, colours), rows),
+      );
     }
     for (const [shape, corners] of Object.entries(frames.view.shapes)) {
       const rows = rowsOf(Number(shape));
       if (rows.length === 0) continue;
-      this.parts.push(new Bodies(bodyGeometry(corners), material(BODY_VERTEX, BODY_FRAGMENT, colours), rows, frames.spheres));
+      this.parts.push(
+        new Bodies(
+          bodyGeometry(corners),
+          material(BODY_VERTEX, BODY_FRAGMENT, colours),
+          rows,
+          frames.spheres,
+        ),
+      );
     }
     for (const part of this.parts) this.group.add(part.mesh);
   }

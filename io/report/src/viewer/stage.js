@@ -30,11 +30,13 @@ export class Stage {
   }
 
   fit(host) {
-    const width = host.clientWidth, height = host.clientHeight;
+    const width = host.clientWidth,
+      height = host.clientHeight;
     if (width === 0 || height === 0) return;
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
-    this.camera.fov = 2 * Math.atan(Math.tan(15 * Math.PI / 180) / Math.min(1, width / height)) * 180 / Math.PI;
+    this.camera.fov =
+      (2 * Math.atan(Math.tan((15 * Math.PI) / 180) / Math.min(1, width / height)) * 180) / Math.PI;
     this.camera.updateProjectionMatrix();
     this.drawNow();
   }
@@ -42,7 +44,9 @@ export class Stage {
   // Looks along -z at `target`, from slightly above and beside.
   home(target) {
     this.controls.target.copy(target);
-    this.camera.position.copy(target).add(new THREE.Vector3(0.1, 0.09, 1).normalize().multiplyScalar(4.3 * this.size));
+    this.camera.position
+      .copy(target)
+      .add(new THREE.Vector3(0.1, 0.09, 1).normalize().multiplyScalar(4.3 * this.size));
     this.controls.update();
     this.draw();
   }
@@ -50,7 +54,10 @@ export class Stage {
   draw() {
     if (this.waiting) return;
     this.waiting = true;
-    requestAnimationFrame(() => { this.waiting = false; this.drawNow(); });
+    requestAnimationFrame(() => {
+      this.waiting = false;
+      this.drawNow();
+    });
   }
 
   drawNow() {

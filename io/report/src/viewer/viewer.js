@@ -9,12 +9,23 @@ import { Particles } from "./particles.js";
 import { Stage } from "./stage.js";
 import { Walls } from "./walls.js";
 
-export const WEAR_NAMES = { depth_rate_siem: "wear, SIEM", depth_rate_sliding: "wear, sliding only",
-  depth_rate_archard: "wear, Archard", depth_rate_finnie: "wear, Finnie", pressure: "pressure", shear: "shear" };
+export const WEAR_NAMES = {
+  depth_rate_siem: "wear, SIEM",
+  depth_rate_sliding: "wear, sliding only",
+  depth_rate_archard: "wear, Archard",
+  depth_rate_finnie: "wear, Finnie",
+  pressure: "pressure",
+  shear: "shear",
+};
 
 export function classNames(scene) {
-  return (scene?.species ?? []).flatMap((species) => species.classes.map((c) =>
-    (c.from === null ? species.name : `${species.name} ${sizes(c)}${c.shape === "polyhedron" ? ", polyhedra" : ""}`)));
+  return (scene?.species ?? []).flatMap((species) =>
+    species.classes.map((c) =>
+      c.from === null
+        ? species.name
+        : `${species.name} ${sizes(c)}${c.shape === "polyhedron" ? ", polyhedra" : ""}`,
+    ),
+  );
 }
 
 function sizes({ from, to }) {
@@ -38,8 +49,12 @@ export class Viewer {
     this.legend = el("div", { class: "legend" });
     this.wallLegend = el("div", { class: "legend" });
     this.label = el("output", { class: "view-time" });
-    this.host = el("div", { class: "stage", tabindex: "0", role: "application",
-      "aria-label": `Charge of ${run.name}. Space plays, left and right arrow step through the frames, drag or pinch turns the view.` });
+    this.host = el("div", {
+      class: "stage",
+      tabindex: "0",
+      role: "application",
+      "aria-label": `Charge of ${run.name}. Space plays, left and right arrow step through the frames, drag or pinch turns the view.`,
+    });
     this.host.append(this.label);
   }
 
@@ -57,8 +72,9 @@ export class Viewer {
     this.lookup.colorSpace = THREE.NoColorSpace;
     this.particles = new Particles(this.frames, this.lookup);
     this.stage.scene.add(this.walls.group, this.particles.group);
-    this.target = mill ? new THREE.Vector3(0, 0, 0.5 * mill.length)
-                       : new THREE.Vector3(...low).addScaledVector(span, 0.5);
+    this.target = mill
+      ? new THREE.Vector3(0, 0, 0.5 * mill.length)
+      : new THREE.Vector3(...low).addScaledVector(span, 0.5);
     this.wallField = this.walls.fields[0]?.name ?? "";
     this.paintWalls(this.wallField);
     this.stage.home(this.target);
@@ -70,7 +86,9 @@ export class Viewer {
   frameAt(time) {
     const { times } = this.frames;
     let best = 0;
-    times.forEach((t, k) => { if (Math.abs(t - time) < Math.abs(times[best] - time)) best = k; });
+    times.forEach((t, k) => {
+      if (Math.abs(t - time) < Math.abs(times[best] - time)) best = k;
+    });
     return best;
   }
 
@@ -92,13 +110,19 @@ export class Viewer {
   values() {
     const { frames, frame } = this;
     switch (this.colouring) {
-      case "speed": return rescaled(frame.speed, this.run.view.speed, this.clock.most("speed"));
-      case "spin": return rescaled(frame.spin, this.run.view.spin, this.clock.most("spin"));
-      case "species": return frames.species;
-      case "class": return frames.sizeClass;
+      case "speed":
+        return rescaled(frame.speed, this.run.view.speed, this.clock.most("speed"));
+      case "spin":
+        return rescaled(frame.spin, this.run.view.spin, this.clock.most("spin"));
+      case "species":
+        return frames.species;
+      case "class":
+        return frames.sizeClass;
       default: {
-        const [from, to] = this.clock.radii, least = Math.log(from), span = Math.log(to) - least || 1;
-        return Uint8Array.from(frames.radius, (r) => Math.round(254 * (Math.log(r) - least) / span));
+        const [from, to] = this.clock.radii,
+          least = Math.log(from),
+          span = Math.log(to) - least || 1;
+        return Uint8Array.from(frames.radius, (r) => Math.round((254 * (Math.log(r) - least)) / span));
       }
     }
   }
@@ -116,7 +140,14 @@ export class Viewer {
     const bars = {
       speed: () => colourBar("speed, root scale", "m/s", 0, this.clock.most("speed"), viridis),
       spin: () => colourBar("spin, root scale", "rad/s", 0, this.clock.most("spin"), viridis),
-      size: () => colourBar("diameter, log scale", "mm", 2000 * this.clock.radii[0], 2000 * this.clock.radii[1], viridis),
+      size: () =>
+        colourBar(
+          "diameter, log scale",
+          "mm",
+          2000 * this.clock.radii[0],
+          2000 * this.clock.radii[1],
+          viridis,
+        ),
       species: () => kindsLegend(scene.species.map((s) => s.name)),
       class: () => kindsLegend(classNames(scene)),
     };

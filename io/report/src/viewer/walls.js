@@ -14,8 +14,11 @@ function geometryOf(corners) {
 }
 
 function plainMaterial(coloured) {
-  return new THREE.MeshLambertMaterial({ color: coloured ? 0xffffff : PLAIN, vertexColors: coloured,
-    side: THREE.FrontSide });
+  return new THREE.MeshLambertMaterial({
+    color: coloured ? 0xffffff : PLAIN,
+    vertexColors: coloured,
+    side: THREE.FrontSide,
+  });
 }
 
 // Six times the volume within, with the sign of the orientation.
@@ -30,7 +33,8 @@ function volume(corners) {
 
 function turnOver(corners) {
   for (let k = 0; k < corners.length; k += 9) {
-    for (let c = 3; c < 6; c += 1) [corners[k + c], corners[k + c + 3]] = [corners[k + c + 3], corners[k + c]];
+    for (let c = 3; c < 6; c += 1)
+      [corners[k + c], corners[k + c + 3]] = [corners[k + c + 3], corners[k + c]];
   }
 }
 
@@ -38,7 +42,8 @@ function turnOver(corners) {
 function endsOf(mill) {
   const shape = new THREE.Shape(mill.profile.map(([x, y]) => new THREE.Vector2(x, y)));
   const face = new THREE.ShapeGeometry(shape).toNonIndexed().getAttribute("position").array;
-  const near = Float32Array.from(face), far = Float32Array.from(face);
+  const near = Float32Array.from(face),
+    far = Float32Array.from(face);
   for (let k = 2; k < far.length; k += 3) far[k] = mill.length;
   turnOver(far);
   return Float32Array.of(...near, ...far);
@@ -46,8 +51,12 @@ function endsOf(mill) {
 
 // Wear cells with their values, field by field.
 async function readWear(wear) {
-  const floats = new Float32Array(await blob(wear.blob)), n = wear.cells;
-  const fields = wear.fields.map((field, k) => ({ ...field, values: floats.subarray((9 + k) * n, (10 + k) * n) }));
+  const floats = new Float32Array(await blob(wear.blob)),
+    n = wear.cells;
+  const fields = wear.fields.map((field, k) => ({
+    ...field,
+    values: floats.subarray((9 + k) * n, (10 + k) * n),
+  }));
   return { corners: floats.slice(0, 9 * n), fields };
 }
 
@@ -74,7 +83,10 @@ export class Walls {
       if (wall.name === "ends" && this.mill && !wall.wear) corners = endsOf(this.mill);
       const geometry = geometryOf(entry.wear ? entry.wear.corners : corners);
       if (entry.wear) {
-        geometry.setAttribute("color", new THREE.BufferAttribute(new Float32Array(entry.wear.corners.length), 3));
+        geometry.setAttribute(
+          "color",
+          new THREE.BufferAttribute(new Float32Array(entry.wear.corners.length), 3),
+        );
       }
       entry.mesh = new THREE.Mesh(geometry, plainMaterial(entry.wear !== null));
       this.group.add(entry.mesh);
@@ -92,7 +104,9 @@ export class Walls {
 
   // The largest value but for one cell in two hundred: single cells do not pale the rest.
   most(name) {
-    const all = this.walls.flatMap(({ wear }) => [...(wear?.fields.find((f) => f.name === name)?.values ?? [])]);
+    const all = this.walls.flatMap(({ wear }) => [
+      ...(wear?.fields.find((f) => f.name === name)?.values ?? []),
+    ]);
     all.sort((a, b) => a - b);
     return all.length > 0 ? all[Math.min(all.length - 1, Math.floor(0.995 * all.length))] : 0;
   }
@@ -102,7 +116,8 @@ export class Walls {
     for (const { wear, mesh } of this.walls) {
       if (!wear) continue;
       const values = wear.fields.find((field) => field.name === name)?.values;
-      const colours = mesh.geometry.getAttribute("color"), one = new THREE.Color();
+      const colours = mesh.geometry.getAttribute("color"),
+        one = new THREE.Color();
       for (let cell = 0; cell < wear.corners.length / 9; cell += 1) {
         if (values && most > 0) {
           const k = 4 * Math.round(255 * Math.min(1, Math.max(0, values[cell] / most)));
