@@ -104,7 +104,7 @@ void BodyStepper<Real>::run_stretch(std::size_t stretch, int worker, BusyTimes& 
 
 template <class Real>
 GroupLanes BodyStepper<Real>::lanes_for(std::size_t count, Worker& worker) const {
-  constexpr std::size_t kColumns = 11;
+  constexpr std::size_t kColumns = 4;
   const std::size_t stride = (count + kShapePad - 1) / kShapePad * kShapePad;
   if (worker.lanes.size() < kColumns * stride) worker.lanes.resize(kColumns * stride);
   double* at = worker.lanes.data();
@@ -112,9 +112,6 @@ GroupLanes BodyStepper<Real>::lanes_for(std::size_t count, Worker& worker) const
   GroupLanes lanes{};
   for (double*& c : lanes.center) c = next();
   lanes.radius = next();
-  for (double*& c : lanes.normal) c = next();
-  lanes.overlap = next();
-  for (double*& c : lanes.point) c = next();
   return lanes;
 }
 
@@ -135,20 +132,9 @@ void BodyStepper<Real>::run_tile(std::size_t tile, int worker, const TileRows& r
     const BodyNow& body = table_.body[batch.polyhedron[g]];
     const Index count = batch.count[g];
     const GroupLanes lanes = lanes_for(count, scratch);
-    kernels_.gather_spheres(constants_, view, body.state.place, batch.sphere.data() + batch.begin[g],
-                            count, lanes);
-    PolyhedronSphereGroup near;
-    near.pose = body.pose;
-    near.count = count;
-    near.radius = lanes.radius;
-    near.overlap = lanes.overlap;
-    for (int a = 0; a < 3; ++a) {
-      near.center[a] = lanes.center[a];
-      near.normal[a] = lanes.normal[a];
-      near.point[a] = lanes.point[a];
-    }
-    narrow_.touch(near);
-    scratch.near.add(batch, g, count, body.state, lanes);
+    kernels_.gather_spheres(constants_, view, body.state.place,
+                            batch.sphere.data() + batch.begin[g], count, lanes);
+    scratch.near.add(narrow_, batch, g, body.state, body.pose, lanes);
   }
   if (scratch.near.empty()) return;
   kernels_.push_spheres(constants_, view, scratch.near.view(rows.first, world_.overlap_cap), rows,
