@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::size_t kEntriesAhead = 8;
 constexpr double kFront = 1e-6;  // of the radius: a centre this high is in front of a face
-constexpr std::size_t kPoint = WallContacts::kGeometry + 10, kRows = kPoint + 3;
+constexpr std::size_t kPoint = WallContacts::kGeometry + 10, kEnergies = kPoint + 3;
+constexpr std::size_t kRows = kEnergies + 4;
 
 // The touches of one particle with one body, in the world frame.
 struct Touches {
@@ -126,6 +127,7 @@ void WallLanes::push(const WallTouchNow& now, const WallSpring* old, const Body&
   wall_[k] = now.wall;
   feature_[k] = now.feature;
   material_[k] = material;
+  old_[k] = old;
   double* const lane = numbers_.data() + k;
   const std::size_t stride = stride_;
   const auto put = [&](std::size_t row, const Vec3& v) {
@@ -172,6 +174,7 @@ void WallLanes::reserve(std::size_t n) {
   particle_.resize(wider);
   wall_.resize(wider);
   feature_.resize(wider);
+  old_.resize(wider);
   material_.resize(wider);
 }
 
@@ -192,6 +195,7 @@ WallContacts WallLanes::view(Index idle) {
   for (double*& f : w.force) f = std::exchange(row, row + stride_);
   for (double*& m : w.moment) m = std::exchange(row, row + stride_);
   w.wall_work = row;
+  for (std::size_t k = 0; k < 4; ++k) w.energies[k] = numbers_.data() + (kEnergies + k) * stride_;
   w.particle = particle_.data();
   w.material = material_.data();
   return w;

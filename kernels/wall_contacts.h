@@ -53,6 +53,8 @@ class WallLanes {
   // Lane k as the kernel left it.
   WallSpring spring(std::size_t k) const;
   Index wall(std::size_t k) const { return wall_[k]; }
+  // The spring that it goes on from, of those that were collected from, or null.
+  const WallSpring* old(std::size_t k) const { return old_[k]; }
   bool is_open(std::size_t k) const { return numbers_[3 * stride_ + k] > 0; }
 
  private:
@@ -60,6 +62,7 @@ class WallLanes {
 
   std::vector<double> numbers_;  // kGeometry + 10 rows of `stride_`, then three of contact points
   std::vector<Index> particle_, wall_, feature_;
+  std::vector<const WallSpring*> old_;
   std::vector<std::uint32_t> material_;
   std::size_t size_ = 0, stride_ = 0;
   std::vector<double> center_[3];

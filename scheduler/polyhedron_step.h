@@ -42,6 +42,7 @@ class BodyStepper {
   // In order of stretches.
   void add_to(ContactTally& pairs, ContactTally& walls, double& model_work, MoveTally& move,
               std::vector<WallTotal>& totals) const;
+  void add_collisions(Collisions& all) const;  // while they are recorded, likewise
   Fallbacks fallbacks() const;  // of this step
 
  private:
@@ -54,6 +55,7 @@ class BodyStepper {
     std::vector<PolyhedronWall> walls;
     std::vector<WallTotal> totals;
     PolyhedronTally tally;
+    PolyhedronCollisions collisions;
     MoveTally move;
   };
   GroupLanes lanes_for(std::size_t count, Worker& worker) const;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "kernels/wall_collisions.h"
 #include "scheduler/totals.h"
 
 namespace quern {
@@ -38,6 +39,8 @@ void Stepper<Real>::prepare() {
     c.clamped = world_.clamped;
     c.rolling = world_.rolling;
     c.damped = world_.damped;
+    c.recording = world_.collisions.recording;
+    c.groups = static_cast<Index>(world_.groups.of_particles());
     c.nearest2 = HUGE_VAL;
     for (std::size_t a = 0; a < 3; ++a) {
       const Eigen::Index e = static_cast<Eigen::Index>(a);
@@ -53,6 +56,7 @@ void Stepper<Real>::prepare() {
   tile_totals_.resize(world_.tiles());
   tile_walls_.resize(world_.tiles() * world_.walls.size());
   known_touches_.resize(world_.tiles());
+  if (world_.collisions.on()) tile_collisions_.resize(world_.tiles());
   world_.wall_totals.resize(world_.walls.size());
 }
 
@@ -68,7 +72,8 @@ void Stepper<Real>::move_walls() {
 }
 
 template <class Real>
-void Stepper<Real>::run_walls(std::size_t tile, Worker& worker, const TileRows& rows) {
+void Stepper<Real>::run_walls(std::size_t tile, Worker& worker, const TileRows& rows,
+                              CollisionTally* collisions) {
   TileWalls& walls = world_.tile_walls[tile];
   const std::span<WallTotal> totals(tile_walls_.data() + tile * world_.walls.size(),
                                     world_.walls.size());
@@ -84,6 +89,9 @@ void Stepper<Real>::run_walls(std::size_t tile, Worker& worker, const TileRows& 
   const Particles<Real>& p = world_.particles;
   kernels_.walls(wall_constants_, {p.record.data(), p.traits.data()}, contacts, rows,
                  tile_totals_[tile].walls);
+  if (collisions != nullptr) {
+    record_wall_contacts(world_, contacts, worker.lanes, walls, *collisions);
+  }
   return_wall_contacts(contacts, worker.lanes, world_.walls, world_.bodies, walls, totals);
 }
 
@@ -99,11 +107,16 @@ void Stepper<Real>::run_tile(std::size_t tile, int worker) {
   totals = TileTotals();
   Stopwatch watch;
 
-  run_walls(tile, w, rows);
+  CollisionTally* collisions = nullptr;
+  if (world_.collisions.on()) {
+    collisions = &tile_collisions_[tile];
+    collisions->reset(world_.groups);
+  }
+  run_walls(tile, w, rows, collisions);
   w.times.add(Stage::kSphereWalls, watch);
 
   push_tile_pairs(kernels_, constants_, {p.record.data(), p.traits.data()}, world_.pairs, tile,
-                  rows, w.pairs, totals.pairs);
+                  rows, w.pairs, totals.pairs, collisions);
   w.times.add(Stage::kSpherePairs, watch);
   if (bodies_) {
     const double spheres = totals.pairs.contacts;
@@ -270,6 +283,21 @@ void Stepper<Real>::account() {
 }
 
 template <class Real>
+void Stepper<Real>::account_collisions() {
+  Collisions& all = world_.collisions;
+  for (ContactEnergies& kind : all.kinds) kind.elastic = 0;
+  for (const CollisionTally& tile : tile_collisions_) tile.add_to(all);
+  if (bodies_) bodies_->add_collisions(all);
+  if (all.recording == Recording::kOpening) {
+    all.recording = Recording::kOn;
+    all.start = world_.ledger;
+    world_.pairs.episodes = true;
+  } else {
+    all.steps += 1;
+  }
+}
+
+template <class Real>
 StepReport Stepper<Real>::judge() const {
   StepReport report;
   const StepTotals& t = world_.totals;
@@ -332,6 +360,7 @@ StepReport Stepper<Real>::step() {
   std::swap(world_.particles.traits, world_.particles.traits_next);
   add_tiles();
   account();
+  if (world_.collisions.on()) account_collisions();
   StepReport report = judge();
   report.rebuilt = rebuilds;
   ++clock.step;

@@ -46,7 +46,8 @@ void add_particles(const World<Real>& world, Hasher& h) {
     for (const double v : {r.x, r.y, r.z, r.vx, r.vy, r.vz}) h.add(v);
     for (const double v : {p.spin_x[k], p.spin_y[k], p.spin_z[k]}) h.add(v);
     h.add(r.radius);
-    h.add(std::uint64_t{p.traits[k].tag});
+    const std::uint64_t tag = p.traits[k].tag;  // its group does not move it
+    h.add(std::uint64_t{make_tag(tag_material(tag), tag_contacts(tag))});
   }
 }
 
@@ -68,7 +69,7 @@ void add_pairs(const World<Real>& world, Hasher& h) {
   for (const PairKey& key : keys) {
     h.add(std::uint64_t{key.i} << 32 | key.j);
     const std::size_t tile = pairs.tile_of(key.slot);
-    for (std::size_t k = 0; k < pairs.history(); ++k) h.add(pairs.number(tile, key.slot, k));
+    for (std::size_t k = 0; k < pairs.law_history(); ++k) h.add(pairs.number(tile, key.slot, k));
   }
 }
 

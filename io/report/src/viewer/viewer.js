@@ -44,6 +44,9 @@ export class Viewer {
     this.clock = clock;
     this.frames = new Frames(run.view);
     this.walls = new Walls(run.view, run.scene?.mill);
+    const groups = (run.scene?.species ?? []).map((species) => species.group);
+    this.groups = [...new Set(groups)];
+    this.groupOf = groups.map((group) => this.groups.indexOf(group));
     this.colouring = "speed";
     this.at = -1;
     this.legend = el("div", { class: "legend" });
@@ -115,7 +118,7 @@ export class Viewer {
       case "spin":
         return rescaled(frame.spin, this.run.view.spin, this.clock.most("spin"));
       case "species":
-        return frames.species;
+        return frames.species.map((row) => this.groupOf[row] ?? row);
       case "class":
         return frames.sizeClass;
       default: {
@@ -148,7 +151,7 @@ export class Viewer {
           2000 * this.clock.radii[1],
           viridis,
         ),
-      species: () => kindsLegend(scene.species.map((s) => s.name)),
+      species: () => kindsLegend(this.groups),
       class: () => kindsLegend(classNames(scene)),
     };
     this.legend.replaceChildren(bars[this.colouring]());
