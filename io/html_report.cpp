@@ -12,6 +12,7 @@
 #include "io/report_tables.h"
 #include "io/scene_reader.h"
 #include "soa/facets.h"
+#include "soa/groups.h"
 
 namespace quern {
 
@@ -82,9 +83,9 @@ std::string species_json(const Scene& scene) {
       const double d = species.diameter.value_or(std::nan(""));
       classes = range_json(shape_name(species.shape), d, d);
     }
-    json +=
-        fmt::format("{}{{\"name\":{},\"material\":{},\"classes\":[{}]}}", json.empty() ? "" : ",",
-                    json_string(species.name), json_string(species.material), classes);
+    json += fmt::format("{}{{\"name\":{},\"group\":{},\"material\":{},\"classes\":[{}]}}",
+                        json.empty() ? "" : ",", json_string(species.name),
+                        json_string(group_of(species)), json_string(species.material), classes);
   }
   return "[" + json + "]";
 }

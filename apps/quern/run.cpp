@@ -91,7 +91,8 @@ class Run {
 
   // What another run has left in the folder would be taken for this one's.
   static void forget_old_run(const RunOptions& options) {
-    for (const char* name : {"summary.json", "checkpoint.h5", "checkpoint.previous.h5"}) {
+    for (const char* name :
+         {"summary.json", "report.html", "checkpoint.h5", "checkpoint.previous.h5"}) {
       std::error_code error;
       fs::remove(fs::path(options.out) / name, error);
       if (error) {

@@ -39,8 +39,10 @@ export class Run {
     this.view = raw.view;
     this.arrays = raw.arrays;
     this.texts = raw.texts;
-    this.complete = raw.summary !== "";
-    this.summary = readSummary(raw.summary);
+    // A resumed run has the summary of where it was stopped, until it ends.
+    const summary = readSummary(raw.summary);
+    this.complete = raw.summary !== "" && !(this.time.at(-1) > summary.time_s * (1 + 1e-9));
+    this.summary = this.complete ? summary : {};
     this.recordFrom = this.summary.recorded_from_s ?? recordFrom(this.scene);
     if (!this.complete) this.fillIn();
   }

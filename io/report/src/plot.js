@@ -6,10 +6,11 @@
 import uPlot from "uplot";
 import { download, el } from "./dom.js";
 import { axisPrefix, labelled, number, powerOfTen, tickTexts } from "./format.js";
-import { colour, css, onTheme } from "./theme.js";
+import { colour, css, isPrinting, onTheme } from "./theme.js";
 
 export const plots = []; // for tests: what is on the page
 
+const PAPER = 660; // px, what fits between the margins
 const FONT = "12px system-ui, sans-serif";
 
 // Ticks at decades, at most `most` of them; below two decades at 1, 2 and 5 of each.
@@ -319,7 +320,10 @@ export function plot(fresh) {
   };
   plots.push(entry);
 
-  const size = () => ({ width: Math.max(240, host.clientWidth), height: host.clientWidth < 500 ? 260 : 320 });
+  const size = () => {
+    const width = isPrinting() ? Math.min(host.clientWidth, PAPER) : host.clientWidth;
+    return { width: Math.max(240, width), height: width < 500 ? 260 : 320 };
+  };
   const draw = () => {
     spec = typeof fresh === "function" ? fresh() : fresh;
     title.textContent = spec.title;

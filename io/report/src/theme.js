@@ -11,6 +11,10 @@ export function isDark() {
   return dark.matches && !printing;
 }
 
+export function isPrinting() {
+  return printing;
+}
+
 export function palette() {
   return isDark() ? DARK : LIGHT;
 }

@@ -29,6 +29,12 @@ const FACTS = [
   ["Fewest steps per contact", (run) => number(run.summary.steps_per_contact)],
   ["Steps", (run) => count(run.summary.steps)],
   ["Error of the energy account", (run) => number(run.summary.ledger_error, 2)],
+  [
+    "Balance of the recorded window, share of the work",
+    (run) => number(run.summary.recorded_balance_error, 2),
+  ],
+  ["Sum over kinds of collision against the account", (run) => number(run.summary.kinds_sum_error, 2)],
+  ["Open and ended collisions against the account", (run) => number(run.summary.spectra_sum_error, 2)],
   ["Numerical loss, share of the work", (run) => percent(run.summary.numerical_loss)],
   ["Work of the contact model, share of the dissipation", (run) => percent(run.summary.model_work_share)],
   [

@@ -5,15 +5,13 @@ import { csvButton } from "../plot.js";
 import { colour, css, onTheme } from "../theme.js";
 
 function rowsOf(run) {
-  return run
-    .lines("formulas/name")
-    .map((name, k) => ({
-      name,
-      low: run.values("formulas/low")[k],
-      high: run.values("formulas/high")[k],
-      source: run.lines("formulas/source")[k] ?? "",
-      valid: run.lines("formulas/valid")[k] ?? "",
-    }));
+  return run.lines("formulas/name").map((name, k) => ({
+    name,
+    low: run.values("formulas/low")[k],
+    high: run.values("formulas/high")[k],
+    source: run.lines("formulas/source")[k] ?? "",
+    valid: run.lines("formulas/valid")[k] ?? "",
+  }));
 }
 
 // Ranges of the formulas and the simulation with its error on one axis of power.

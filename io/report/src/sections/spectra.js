@@ -19,8 +19,11 @@ const QUANTITIES = [
   ["impact_energy", "Impact energy by impact energy", "energy per time", "W", "impact energy"],
 ];
 
+const listedKinds = (run) =>
+  run.lines("spectra/kind").length > 0 ? run.lines("spectra/kind") : run.lines("power_by_kind/kind");
+
 export function kindsOf(run) {
-  const listed = run.lines("power_by_kind/kind").filter((kind) => run.has(`spectra/${kind}/count`));
+  const listed = listedKinds(run).filter((kind) => run.has(`spectra/${kind}/count`));
   if (listed.length > 0) return listed;
   return run.below("spectra").filter((kind) => run.has(`spectra/${kind}/count`));
 }
@@ -96,7 +99,7 @@ function middle(run, kind, quantity) {
 function table(runs) {
   const rows = runs.flatMap((run) =>
     kindsOf(run).map((kind) => {
-      const at = run.lines("power_by_kind/kind").indexOf(kind);
+      const at = listedKinds(run).indexOf(kind);
       const counts = run.values(`spectra/${kind}/count`),
         energies = run.values(`spectra/${kind}/energy`),
         t = timeOf(run);
