@@ -185,37 +185,41 @@ bool parse_after(std::string_view line, std::string_view key, T& value) {
 
 }  // namespace
 
-FrameWriter::FrameWriter(std::string folder) : folder_(std::move(folder)) {
-  make_folder(kWhat, folder_);
-  for (FileSeries* series : {&particles_, &polyhedra_, &liner_}) read_series(*series);
+std::string frame_path(const std::string& folder, const std::string& name, int number) {
+  return fmt::format("{}/{}_{:06}.hdf", folder, name, number);
 }
 
-std::string FrameWriter::frame_path(const FileSeries& series, int number) const {
-  return fmt::format("{}/{}_{:06}.hdf", folder_, series.name, number);
-}
-
-void FrameWriter::read_series(FileSeries& series) const {
-  const std::string path = fmt::format("{}/{}.hdf.series", folder_, series.name);
-  if (!std::filesystem::exists(path)) return;
+std::vector<FrameEntry> read_frame_list(const std::string& folder, const std::string& name) {
+  const std::string path = fmt::format("{}/{}.hdf.series", folder, name);
+  std::vector<FrameEntry> entries;
+  if (!std::filesystem::exists(path)) return entries;
   const std::string text = read_text_file("frame series", path);
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     const std::string_view line(text.data() + begin, end - begin);
     begin = end + 1;
     if (line.find(".hdf") == std::string_view::npos) continue;
-    Entry entry{};
-    if (!parse_after(line, series.name + "_", entry.number) ||
+    FrameEntry entry;
+    if (!parse_after(line, name + "_", entry.number) ||
         !parse_after(line, "\"time\": ", entry.time)) {
       throw SystemError(fmt::format("cannot read frame series '{}': line '{}'", path, line));
     }
-    series.entries.push_back(entry);
+    entries.push_back(entry);
+  }
+  return entries;
+}
+
+FrameWriter::FrameWriter(std::string folder) : folder_(std::move(folder)) {
+  make_folder(kWhat, folder_);
+  for (FileSeries* series : {&particles_, &polyhedra_, &liner_}) {
+    series->entries = read_frame_list(folder_, series->name);
   }
 }
 
 void FrameWriter::drop_from(FileSeries& series, int number) const {
   while (!series.entries.empty() && series.entries.back().number >= number) {
     std::error_code ignored;  // it may be gone already
-    std::filesystem::remove(frame_path(series, series.entries.back().number), ignored);
+    std::filesystem::remove(frame_path(folder_, series.name, series.entries.back().number), ignored);
     series.entries.pop_back();
   }
 }
@@ -223,7 +227,7 @@ void FrameWriter::drop_from(FileSeries& series, int number) const {
 void FrameWriter::list(FileSeries& series, int number, double time) const {
   series.entries.push_back({number, time});
   std::string text = "{\n  \"file-series-version\": \"1.0\",\n  \"files\": [\n";
-  for (const Entry& entry : series.entries) {
+  for (const FrameEntry& entry : series.entries) {
     text += fmt::format("    {{\"name\": \"{}_{:06}.hdf\", \"time\": {}}}{}\n", series.name,
                         entry.number, entry.time, &entry == &series.entries.back() ? "" : ",");
   }
@@ -237,14 +241,14 @@ void FrameWriter::write(int number, const ParticleFrame& particles, const WallFr
   QUERN_CHECK(number >= 0);
   check_sizes(particles);
   for (FileSeries* series : {&particles_, &polyhedra_, &liner_}) drop_from(*series, number);
-  write_particles(frame_path(particles_, number), particles);
+  write_particles(frame_path(folder_, particles_.name, number), particles);
   list(particles_, number, particles.time);
   if (polyhedra) {
-    write_polyhedra(frame_path(polyhedra_, number), particles, *polyhedra);
+    write_polyhedra(frame_path(folder_, polyhedra_.name, number), particles, *polyhedra);
     list(polyhedra_, number, particles.time);
   }
   if (walls.wall.empty()) return;
-  write_liner(frame_path(liner_, number), walls, particles.time);
+  write_liner(frame_path(folder_, liner_.name, number), walls, particles.time);
   list(liner_, number, particles.time);
 }
 

@@ -15,6 +15,16 @@
 
 namespace quern {
 
+struct FrameEntry {
+  int number = 0;
+  double time = 0;  // s
+};
+
+// What FOLDER/NAME.hdf.series lists, in its order; nothing if there is no such file.
+std::vector<FrameEntry> read_frame_list(const std::string& folder, const std::string& name);
+// FOLDER/NAME_000123.hdf
+std::string frame_path(const std::string& folder, const std::string& name, int number);
+
 class FrameWriter {
  public:
   // Makes the folder if needed and continues the series it holds.
@@ -26,16 +36,10 @@ class FrameWriter {
              const std::optional<PolyhedronFrame>& polyhedra = {});
 
  private:
-  struct Entry {
-    int number;
-    double time;
-  };
   struct FileSeries {
     std::string name;  // "particles", "polyhedra", "liner"
-    std::vector<Entry> entries;
+    std::vector<FrameEntry> entries;
   };
-  std::string frame_path(const FileSeries& series, int number) const;
-  void read_series(FileSeries& series) const;
   void drop_from(FileSeries& series, int number) const;
   void list(FileSeries& series, int number, double time) const;
 

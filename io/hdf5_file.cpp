@@ -1,14 +1,11 @@
 // HDF5's C API behind Hdf5File; the only code that includes it.
 //
 // Format choices, all tried with 1.10.8:
-// - A file is created with superblock 2 and then raised to V110. A V110 file has superblock 3,
-// which
+// - A file is created with superblock 2 and then raised to V110. A V110 file has superblock 3, which
 //   marks itself "open for write": after a kill nobody can open it, and h5py cannot while we run.
 // - No file locks, so that a running simulation's series can be read.
-// - In a growing file every object begins a page, and a chunk of a series fits in one: a kill in
-// the
-//   middle of a write cannot tear it, since the kernel gives up between pages only. (Without, 1 of
-//   400 files whose writer was killed in a tight loop had a broken dataset.)
+// - In a growing file every object begins a page, and a chunk of a series fits in one: a kill in the
+//   middle of a write cannot tear it (of 400 files without, killed in a tight loop, one was broken).
 // - After a failed write (disk full) the library's clean-up at exit crashes: it is then left out.
 #include "io/hdf5_file.h"
 
@@ -295,6 +292,11 @@ Hdf5File::Id Hdf5File::open_dataset(const std::string& name) const {
   const hid_t dataset = H5Dopen2(file_, name.c_str(), H5P_DEFAULT);
   if (dataset < 0) fail("open dataset '" + name + "'");
   return dataset;
+}
+
+bool Hdf5File::is_text(const std::string& name) const {
+  const Handle dataset(open_dataset(name), H5Dclose);
+  return H5Tget_class(Handle(H5Dget_type(dataset.get()), H5Tclose).get()) == H5T_STRING;
 }
 
 ArrayLayout Hdf5File::layout(const std::string& name) const {

@@ -56,6 +56,7 @@ class Hdf5File {
   std::vector<std::string> datasets(const std::string& group) const;  // below it, sorted
 
   void write(const std::string& name, const ArrayLayout& layout, const void* data);
+  bool is_text(const std::string& name) const;
   ArrayLayout layout(const std::string& name) const;
   // Refuses a dataset whose layout differs from `expected`.
   void read(const std::string& name, const ArrayLayout& expected, void* data) const;

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <limits>
 #include <map>
 
 #include "io/log.h"
@@ -106,6 +108,14 @@ Shape read_shape(const std::string& path, const ShapeOptions& options, ShapeRepo
   const MeshResult mesh = read_stl(path, 1);
   if (!mesh.errors.empty()) throw InputErrors{mesh.errors};
   return build_shape(mesh.triangles, path, options, report);
+}
+
+double fewest_steps_per_contact(const LoadedScene& loaded) {
+  double fewest = std::numeric_limits<double>::quiet_NaN();
+  for (const StepAdvice& pair : advise_steps(loaded.scene, loaded.seeds, loaded.dt)) {
+    fewest = std::fmin(fewest, pair.steps_normal);
+  }
+  return fewest;
 }
 
 void judge_time_step(const LoadedScene& loaded) {

@@ -32,6 +32,9 @@ LoadedScene load_scene_text(const std::string& text, const std::string& name,
 // The shape in an STL file; lengths in the file's units. Throws InputErrors or UserError.
 Shape read_shape(const std::string& path, const ShapeOptions& options, ShapeReport& report);
 
+// Steps per contact of the pair that has the fewest; NaN where nothing can touch.
+double fewest_steps_per_contact(const LoadedScene& loaded);
+
 // Refuses a step with fewer than kRefusedSteps per contact, warns below kWarnedSteps.
 void judge_time_step(const LoadedScene& loaded);
 

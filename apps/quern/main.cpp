@@ -1,4 +1,4 @@
-// The command line of quern: run, resume, check, bench, shape, info.
+// The command line of quern: run, resume, report, compare, check, bench, shape, info.
 //
 // Exit codes: 0 fine, 1 a defect of ours, 2 the user's input, 3 the system (disk, files), 4 the run
 // went wrong (and left a checkpoint).
@@ -10,6 +10,7 @@
 #include "apps/quern/check.h"
 #include "apps/quern/info.h"
 #include "apps/quern/load.h"
+#include "apps/quern/report.h"
 #include "apps/quern/run.h"
 #include "apps/quern/shape.h"
 #include "io/log.h"
@@ -38,6 +39,17 @@ int dispatch(int argc, char** argv) {
   resume->add_option("--threads", options.threads, "number of threads (0: all)")
       ->check(CLI::Range(0, 4096));
   CLI::Option* resume_until = resume->add_option("--until", until, "stop at this mill time, s");
+
+  quern::ReportCommand report_options;
+  CLI::App* report = app.add_subcommand("report", "the page of a run, of one that goes on too");
+  report->add_option("folder", report_options.folders, "folder of the run")->required()->expected(1);
+  report->add_option("--out", report_options.out, "the page")->default_str("<folder>/report.html");
+
+  CLI::App* compare = app.add_subcommand("compare", "one page of several runs side by side");
+  compare->add_option("folders", report_options.folders, "folders of the runs")
+      ->required()
+      ->expected(2, 8);
+  compare->add_option("--out", report_options.out, "the page")->default_str("compare.html");
 
   CLI::App* check = app.add_subcommand("check", "validate a scene and say what it will cost");
   check->add_option("scene", options.scene, "SCENE.toml")->required();
@@ -85,6 +97,8 @@ int dispatch(int argc, char** argv) {
     return quern::run_command(options);
   }
   if (resume->parsed()) return quern::resume_command(options);
+  if (report->parsed()) return quern::report_command(report_options);
+  if (compare->parsed()) return quern::compare_command(report_options);
   if (check->parsed()) return quern::check_command(options);
   if (bench->parsed()) return quern::bench_command(bench_options);
   if (shape->parsed()) {

@@ -240,6 +240,7 @@ void Recorder::write_summary(World<Real>& world, const RunFigures& figures) {
     s.set("model_work_share", model_work_share(l));
   }
   s.set("stored_energy_change_J", l.kinetic + l.elastic - l.start_kinetic - l.start_elastic);
+  s.set("steps_per_contact", figures.steps_per_contact);
   s.set("ledger_error", ledger_error(l));
   s.set("numerical_loss", numerical_loss_share(l));
   write_records(world, s);

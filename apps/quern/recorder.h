@@ -24,6 +24,7 @@ struct RunFigures {  // of the program, not of the charge
   double step_seconds = 0;       // inside steps of the run phase
   std::uint64_t run_steps = 0;   // of the run phase, by this process
   StageTimes times;              // of the run phase
+  double steps_per_contact = 0;  // of the pair that has the fewest
   int threads = 1;
   std::string simd_target;
   bool finished = false;

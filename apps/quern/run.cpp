@@ -13,6 +13,7 @@
 
 #include "apps/quern/load.h"
 #include "apps/quern/recorder.h"
+#include "apps/quern/report.h"
 #include "apps/quern/start.h"
 #include "io/checkpoint.h"
 #include "io/file_commit.h"
@@ -90,7 +91,8 @@ class Run {
 
   // What another run has left in the folder would be taken for this one's.
   static void forget_old_run(const RunOptions& options) {
-    for (const char* name : {"summary.json", "checkpoint.h5", "checkpoint.previous.h5"}) {
+    for (const char* name :
+         {"summary.json", "report.html", "checkpoint.h5", "checkpoint.previous.h5"}) {
       std::error_code error;
       fs::remove(fs::path(options.out) / name, error);
       if (error) {
@@ -215,6 +217,7 @@ class Run {
   int finish(bool fine) {
     figures_.wall_seconds = now() - started_;
     figures_.times = stepper_->take_times();
+    figures_.steps_per_contact = fewest_steps_per_contact(loaded_);
     figures_.threads = stepper_->graph().threads();
     figures_.simd_target = stepper_->target();
     figures_.finished = fine && g_signal == 0 && !stopped_;
@@ -271,14 +274,16 @@ class Run {
   bool stopped_ = false;
 };
 
+// The page is made once all files are closed.
 int start(LoadedScene loaded, const RunOptions& options, const std::string& checkpoint) {
   return_large_blocks();
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
-  if (loaded.scene.run.precision == Precision::kDouble) {
-    return Run<double>(std::move(loaded), options, checkpoint).go();
-  }
-  return Run<float>(std::move(loaded), options, checkpoint).go();
+  const int code = loaded.scene.run.precision == Precision::kDouble
+                       ? Run<double>(std::move(loaded), options, checkpoint).go()
+                       : Run<float>(std::move(loaded), options, checkpoint).go();
+  write_report_of_run(options.out);
+  return code;
 }
 
 }  // namespace
