@@ -126,6 +126,7 @@ struct WallContacts {
   double* force[3];   // on the particle: last step's on entry, this step's on return
   double* moment[3];  // rolling
   double* wall_work;  // J, out: work of the wall on the particle in this contact and step
+  double* slide;      // J, out: dissipated by sliding
   std::size_t count;  // padded to kPairPad by the caller; padding has overlap 0 and no force
 };
 

@@ -27,6 +27,7 @@ struct KnownTouch {
 // What a contact is in this step.
 struct WallTouchNow {
   Index particle, wall, feature;
+  Index facet;  // one that the point is on; kNoIndex: not known, of a contact that closes
   Vec3 normal, point;
   double overlap;
 };
@@ -53,13 +54,14 @@ class WallLanes {
   // Lane k as the kernel left it.
   WallSpring spring(std::size_t k) const;
   Index wall(std::size_t k) const { return wall_[k]; }
+  Index facet(std::size_t k) const { return facet_[k]; }
   bool is_open(std::size_t k) const { return numbers_[3 * stride_ + k] > 0; }
 
  private:
   void reserve(std::size_t n);
 
-  std::vector<double> numbers_;  // kGeometry + 10 rows of `stride_`, then three of contact points
-  std::vector<Index> particle_, wall_, feature_;
+  std::vector<double> numbers_;  // kGeometry + 11 rows of `stride_`, then three of contact points
+  std::vector<Index> particle_, wall_, feature_, facet_;
   std::vector<std::uint32_t> material_;
   std::size_t size_ = 0, stride_ = 0;
   std::vector<double> center_[3];

@@ -43,6 +43,7 @@ class BodyStepper {
   void add_to(ContactTally& pairs, ContactTally& walls, double& model_work, MoveTally& move,
               std::vector<WallTotal>& totals) const;
   Fallbacks fallbacks() const;  // of this step
+  void add_wear();              // what the stretches have listed, likewise
 
  private:
   struct Worker {
@@ -55,6 +56,7 @@ class BodyStepper {
     std::vector<WallTotal> totals;
     PolyhedronTally tally;
     MoveTally move;
+    WearList wear;
   };
   GroupLanes lanes_for(std::size_t count, Worker& worker) const;
   void sum_forces(std::size_t body, Vec3& force, Vec3& torque, double& contacts) const;

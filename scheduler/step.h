@@ -13,6 +13,7 @@
 #include "kernels/contact.h"
 #include "kernels/tile_pairs.h"
 #include "kernels/wall_contacts.h"
+#include "kernels/wear.h"
 #include "scheduler/graph.h"
 #include "scheduler/polyhedron_step.h"
 #include "scheduler/rebuild.h"
@@ -55,6 +56,7 @@ class Stepper {
   void run_walls(std::size_t tile, Worker& worker, const TileRows& rows);
   void run_tasks(bool rebuilt);
   void add_tiles();
+  void add_wear();
   void account();
   StepReport judge() const;
   bool relist_strays();
@@ -70,6 +72,7 @@ class Stepper {
   std::vector<Worker> workers_;
   std::vector<TileTotals> tile_totals_;
   std::vector<WallTotal> tile_walls_;  // tiles x walls
+  std::vector<WearList> tile_wear_;    // where wear is recorded
   std::vector<std::vector<KnownTouch>> known_touches_;  // of each tile's candidates for walls
   std::optional<BodyStepper<Real>> bodies_;
   StageTimes times_;

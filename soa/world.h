@@ -17,6 +17,7 @@
 #include "soa/report.h"
 #include "soa/size_classes.h"
 #include "soa/wall_spring.h"
+#include "soa/wear.h"
 
 namespace quern {
 
@@ -155,6 +156,7 @@ struct World {
   Ledger ledger;
   Window window;
   Clock clock;
+  Wear wear;
 
   std::size_t bodies_of_charge() const { return particles.size() + polyhedra.size(); }
   std::size_t tiles() const { return (particles.size() + tile_size - 1) / tile_size; }

@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/quern/wear_recorder.h"
 #include "io/scene_reader.h"
 #include "io/statistics.h"
 #include "kernels/contact.h"
 #include "scheduler/phases.h"
 #include "scheduler/snapshot.h"
+#include "scheduler/wear_frame.h"
 #include "soa/hash.h"
 
 namespace quern {
@@ -110,6 +112,7 @@ Recorder::Recorder(const std::string& folder, const Scene& scene, double dt,
     : folder_(folder),
       scene_(scene),
       record_from_(record_start(scene)),
+      record_step_(static_cast<std::uint64_t>(std::llround(record_from_ / dt))),
       tallies_(tally_rows_of(any_polyhedra(scene))),
       series_(folder + "/run.h5", series_quantities(tallies_, walls),
               resumed_at ? SeriesMode::kAppend : SeriesMode::kNew) {
@@ -155,7 +158,8 @@ void Recorder::after_step(World<Real>& world) {
   }
   if (frame_steps_ > 0 && step % frame_steps_ == 0) {
     frames_->write(static_cast<int>(step / frame_steps_), particle_frame(world),
-                   wall_frame(world), polyhedron_frame(world));
+                   world.wear.asked() ? wear_frame(world, scene_) : wall_frame(world),
+                   polyhedron_frame(world));
   }
   if (charge_ && charge_->due(step)) charge_->take(step, particle_frame(world), series_);
 }
@@ -241,6 +245,7 @@ void Recorder::write_summary(World<Real>& world, const RunFigures& figures) {
     charge_->finish(world.clock.step, f, series_, s);
     charge_->write_picture(folder_ + "/charge_shape.svg");
   }
+  if (world.wear.asked()) wear_line_ = write_wear(world, scene_, series_, s);
   s.set("threads", figures.threads);
   s.set("simd_target", figures.simd_target);
   s.set("precision", precision_name(scene_));

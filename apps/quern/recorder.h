@@ -32,6 +32,11 @@ class Recorder {
   Recorder(const std::string& folder, const Scene& scene, double dt, const std::vector<Wall>& walls,
            std::optional<double> resumed_at);
 
+  // Before a step of the run phase: whether its contacts belong to the recorded window.
+  template <class Real>
+  void before_step(World<Real>& world) const {
+    world.wear.recording = world.clock.step >= record_step_;
+  }
   // After a step of the run phase: writes the series row, the frame and the snapshot of the charge
   // that are due.
   template <class Real>
@@ -45,6 +50,7 @@ class Recorder {
   double last_power() const { return last_power_; }
   double recorded_power() const { return recorded_power_; }  // after write_summary()
   const std::optional<ChargeRecorder>& charge() const { return charge_; }
+  const std::string& wear_line() const { return wear_line_; }  // likewise; empty: not asked
 
  private:
   template <class Real>
@@ -53,12 +59,14 @@ class Recorder {
   std::string folder_;
   Scene scene_;
   double record_from_ = 0;
+  std::uint64_t record_step_ = 0;  // the first whose contacts are recorded
   std::vector<TallyRow> tallies_;
   std::uint64_t series_steps_ = 1, frame_steps_ = 0;
   SeriesWriter series_;
   std::optional<FrameWriter> frames_;
   std::optional<ChargeRecorder> charge_;
   double last_power_ = 0, recorded_power_ = 0;
+  std::string wear_line_;
 };
 
 const char* precision_name(const Scene& scene);

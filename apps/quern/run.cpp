@@ -111,6 +111,7 @@ class Run {
         break;
       }
       start_->let_in();
+      if (run) recorder_->before_step(world_);
       const double before = now();
       const StepReport report = stepper_->step();
       if (run) {
@@ -227,6 +228,7 @@ class Run {
       return 0;
     }
     if (recorder_->charge()) log_info("charge       " + recorder_->charge()->line());
+    if (!recorder_->wear_line().empty()) log_info("wear         " + recorder_->wear_line());
     const Ledger& l = world_.ledger;
     if (std::isfinite(recorder_->recorded_power())) {
       log_info(fmt::format("power        {} (torque, energies and their errors in summary.json)",

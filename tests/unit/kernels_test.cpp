@@ -235,7 +235,7 @@ void check_walls(const CaseOptions& o, std::size_t count, unsigned seed) {
   test::Random random(seed);
   const std::size_t padded = (count + kPairPad - 1) / kPairPad * kPairPad;
   Column<double> numbers;
-  numbers.reset(padded * (WallContacts::kGeometry + 10));
+  numbers.reset(padded * (WallContacts::kGeometry + 11));
   numbers.fill(0);
   Column<Index> particle;
   Column<std::uint32_t> material;
@@ -249,7 +249,8 @@ void check_walls(const CaseOptions& o, std::size_t count, unsigned seed) {
   for (double*& s : walls.spring) s = std::exchange(row, row + padded);
   for (double*& f : walls.force) f = std::exchange(row, row + padded);
   for (double*& m : walls.moment) m = std::exchange(row, row + padded);
-  walls.wall_work = row;
+  walls.wall_work = std::exchange(row, row + padded);
+  walls.slide = row;
   walls.particle = particle.data();
   walls.material = material.data();
   walls.count = padded;

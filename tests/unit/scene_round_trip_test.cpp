@@ -190,6 +190,17 @@ void expect_same(const Scene& a, const Scene& b) {
   EXPECT_EQ(a.record.snapshots_every, b.record.snapshots_every);
   EXPECT_EQ(a.record.cell_angle, b.record.cell_angle);
   EXPECT_EQ(a.record.cell_width, b.record.cell_width);
+  ASSERT_EQ(a.wear.has_value(), b.wear.has_value());
+  if (!a.wear) return;
+  EXPECT_EQ(a.wear->cell_size, b.wear->cell_size);
+  EXPECT_EQ(a.wear->velocity, b.wear->velocity);
+  EXPECT_EQ(a.wear->flow_pressure, b.wear->flow_pressure);
+  EXPECT_EQ(a.wear->siem_factor, b.wear->siem_factor);
+  EXPECT_EQ(a.wear->archard_factor, b.wear->archard_factor);
+  EXPECT_EQ(a.wear->finnie_factor, b.wear->finnie_factor);
+  EXPECT_EQ(a.wear->archard_coefficient, b.wear->archard_coefficient);
+  EXPECT_EQ(a.wear->finnie_depth_ratio, b.wear->finnie_depth_ratio);
+  EXPECT_EQ(a.wear->finnie_force_ratio, b.wear->finnie_force_ratio);
 }
 
 // Written, read from another folder, and written again.
@@ -402,6 +413,16 @@ charge_shape = true
 snapshots_every = "20 ms"
 cell_angle = "3 deg"
 cell_width = "4 mm"
+[wear]
+cell_size = "7 mm"
+velocity = "absolute"
+flow_pressure = "5 GPa"
+siem_factor = 1.1
+archard_factor = 1.2
+finnie_factor = 1.3
+archard_coefficient = 0.004
+finnie_depth_ratio = 3
+finnie_force_ratio = 4
 )";
 
 TEST(SceneReader, ReadsEveryKeyAndWritesItBack) {
