@@ -4,11 +4,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <filesystem>
 
 #include "io/scene_checks_parts.h"
+#include "soa/groups.h"
 
 namespace quern {
 
@@ -319,6 +321,30 @@ void check_fill(const SceneCheck& check) {
   }
 }
 
+// Groups of particles and of walls are told apart by name; a pair of them is written with a dash.
+void check_groups(const SceneCheck& check) {
+  std::vector<std::string> of_walls;
+  if (check.scene.mill) of_walls.push_back(check.scene.mill->group);
+  for (const WallSpec& wall : check.draft.walls) of_walls.push_back(wall.group);
+  const auto plain = [&](const std::string& path, const std::string& group) {
+    std::vector<std::string> none;
+    if (check.good({path})) check.name(path, group, none);
+    if (group.find('-') != std::string::npos)
+      check.error(path, fmt::format("'group': '{}' may not hold -", group));
+  };
+  if (check.scene.mill) plain("mill.group", check.scene.mill->group);
+  for (std::size_t i = 0; i < check.draft.walls.size(); ++i)
+    plain(fmt::format("walls[{}].group", i), check.draft.walls[i].group);
+  for (std::size_t i = 0; i < check.scene.particles.size(); ++i) {
+    const ParticleSpec& species = check.scene.particles[i];
+    const std::string path = fmt::format("particles[{}].group", i);
+    if (!species.group.empty()) plain(path, species.group);
+    if (std::find(of_walls.begin(), of_walls.end(), group_of(species)) != of_walls.end())
+      check.error(check.context.trace.given(path) ? path : fmt::format("particles[{}].name", i),
+                  fmt::format("'{}' is a group of walls already", group_of(species)));
+  }
+}
+
 void check_record_table(const SceneCheck& check) {
   const RecordSpec& record = check.scene.record;
   if (record.charge_shape && !check.scene.mill && check.good({"mill", "record.charge_shape"}))
@@ -374,6 +400,7 @@ void check_scene(SceneDraft& draft, ReadContext& context) {
   check_mill(check);
   check_domain(check);
   check_fill(check);
+  check_groups(check);
   check_record_table(check);
   check_wear(check);
 }

@@ -73,6 +73,7 @@ struct WallSpec {
   std::optional<bool> open_top;
   std::string material;
   Motion motion;
+  std::string group = "liner";
 };
 
 struct SceneDraft {
@@ -212,6 +213,7 @@ void fields(Io& io, MillSpec& mill) {
   using enum Need;
   io({"material", "of shell and lifters", kNumber, Range::kAny, kRequired}, mill.material);
   io({"end_material", "of the end walls; default: material"}, mill.end_material);
+  io({"group", "of walls whose collisions are told together"}, mill.group);
   io({"diameter", "inside the shell", kLength, Range::kPositive, kRequired}, mill.diameter);
   io({"length", "along the axis", kLength, Range::kPositive, kRequired}, mill.length);
   io({"ends", "what closes the mill at z = 0 and z = length"}, mill.ends);
@@ -244,6 +246,7 @@ void fields(Io& io, WallSpec& wall) {
   using enum Dimension;
   io({"name", "default: wall_1, wall_2, ..."}, wall.name);
   io({"kind", "default: what the other keys say"}, wall.kind);
+  io({"group", "of walls whose collisions are told together"}, wall.group);
   io({"material", "of the surface", kNumber, Range::kAny, Need::kRequired}, wall.material);
   io({"mesh", "mesh: STL file"}, wall.mesh);
   io({"scale", "mesh: file units to metres", kNumber, Range::kPositive}, wall.scale);
@@ -347,6 +350,7 @@ template <class Io>
 void fields(Io& io, ParticleSpec& species) {
   using enum Dimension;
   io({"name", "default: the material's name"}, species.name);
+  io({"group", "whose collisions are told together; default: the name"}, species.group);
   io({"material", "of the particles", kNumber, Range::kAny, Need::kRequired}, species.material);
   io({"shape", "of the particles"}, species.shape);
   shape_fields(io, species);

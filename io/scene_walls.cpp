@@ -99,17 +99,17 @@ void sort_wall(const SceneCheck& check, const std::string& path, const WallSpec&
     check.file(path + ".mesh", wall.mesh);
     check.draft.wall_mesh_places.push_back(check.place(path + ".mesh"));
     check.scene.meshes.push_back(
-        {wall.name, wall.mesh, wall.material, wall.scale.value_or(1), wall.motion});
+        {wall.name, wall.mesh, wall.material, wall.scale.value_or(1), wall.motion, wall.group});
   } else if (kind == WallKind::kPlane) {
     Vec3 normal = wall.normal.value_or(Vec3::UnitZ());
     if (!normalize(normal)) check.error(path + ".normal", "'normal' must not be zero");
     check.scene.planes.push_back(
-        {wall.name, wall.material, wall.point.value_or(zero), normal, wall.motion});
+        {wall.name, wall.material, wall.point.value_or(zero), normal, wall.motion, wall.group});
   } else {
     check.corners(path, wall.low, wall.high);
     check.scene.boxes.push_back({wall.name, wall.material, wall.low.value_or(zero),
                                  wall.high.value_or(zero), wall.open_top.value_or(false),
-                                 wall.motion});
+                                 wall.motion, wall.group});
   }
 }
 

@@ -336,7 +336,8 @@ SceneDraft draft_of(const Scene& scene) {
                            {},
                            {},
                            mesh.material,
-                           mesh.motion});
+                           mesh.motion,
+                           mesh.group});
   for (const PlaneSpec& plane : scene.planes)
     draft.walls.push_back({plane.name,
                            WallKind::kPlane,
@@ -348,7 +349,8 @@ SceneDraft draft_of(const Scene& scene) {
                            {},
                            {},
                            plane.material,
-                           plane.motion});
+                           plane.motion,
+                           plane.group});
   for (const BoxSpec& box : scene.boxes)
     draft.walls.push_back({box.name,
                            WallKind::kBox,
@@ -360,7 +362,8 @@ SceneDraft draft_of(const Scene& scene) {
                            box.high,
                            box.open_top,
                            box.material,
-                           box.motion});
+                           box.motion,
+                           box.group});
   return draft;
 }
 

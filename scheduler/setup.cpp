@@ -27,7 +27,7 @@ std::pair<double, double> radius_range(std::span<const ParticleSeed> particles) 
 class GeometryBuilder {
  public:
   GeometryBuilder(const Scene& scene, std::span<const ParticleSeed> particles)
-      : scene_(scene), largest_(radius_range(particles).second) {
+      : scene_(scene), groups_(scene), largest_(radius_range(particles).second) {
     for (int a = 0; a < 3; ++a)
       out_.periodic[static_cast<std::size_t>(a)] = scene.domain.periodic[a];
     if (scene.mill && scene.mill->ends == EndKind::kPeriodic) out_.periodic[2] = true;
@@ -45,12 +45,12 @@ class GeometryBuilder {
         for (const Vec3& c : t.corner) include_path(c, box.motion);
       }
       if (box.open_top) include(0.5 * (box.low + box.high) - rain_height() * down(), largest_);
-      add(box.name, box.material, box.motion, box_faces(box, scene_.run.gravity));
+      add(named(box), box.motion, box_faces(box, scene_.run.gravity));
     }
     choose_domain();
     for (const PlaneSpec& plane : scene_.planes) {
       const Vec3 centre = 0.5 * (out_.low + out_.high);
-      add(plane.name, plane.material, plane.motion,
+      add(named(plane), plane.motion,
           plane_patch(plane, centre, 2 * (out_.high - out_.low).norm()));
     }
     for (Pending& p : pending_) {
@@ -96,24 +96,33 @@ class GeometryBuilder {
     }
   }
 
-  void add(const std::string& name, const std::string& material, const Motion& motion,
-           std::vector<Triangle> triangles) {
+  struct Named {
+    std::string name, material, group;
+  };
+  template <class Spec>
+  static Named named(const Spec& spec) {
+    return {spec.name, spec.material, spec.group};
+  }
+
+  void add(const Named& wall, const Motion& motion, std::vector<Triangle> triangles) {
     Pending* to = nullptr;
     for (Pending& p : pending_) {
       if (p.motion.kind == MotionKind::kFixed && motion.kind == MotionKind::kFixed) to = &p;
     }
-    add_to(to, name, material, motion, std::move(triangles));
+    add_to(to, wall, motion, std::move(triangles));
   }
 
-  void add_to(Pending* to, const std::string& name, const std::string& material,
-              const Motion& motion, std::vector<Triangle> triangles) {
+  void add_to(Pending* to, const Named& wall, const Motion& motion,
+              std::vector<Triangle> triangles) {
     if (to == nullptr) {
       pending_.push_back({motion, {}});
       to = &pending_.back();
     }
     const Index body = static_cast<Index>(to - pending_.data());
     to->components.push_back({std::move(triangles), static_cast<Index>(out_.walls.size())});
-    out_.walls.push_back({name, static_cast<std::uint32_t>(material_row(scene_, material)), body});
+    const std::size_t material = material_row(scene_, wall.material);
+    out_.walls.push_back({wall.name, static_cast<std::uint32_t>(material), body,
+                          static_cast<std::uint8_t>(groups_.row(wall.group))});
   }
 
   void add_mill(const MillSpec& mill) {
@@ -123,12 +132,12 @@ class GeometryBuilder {
     // Beyond a wall the shell ends where no particle can see its rim; beyond a periodic end it has
     // to reach as far as a particle's radius does.
     const double beyond = mill.ends == EndKind::kOpen ? 0 : 2.5 * largest_;
-    add_to(nullptr, "liner", mill.material, motion,
+    add_to(nullptr, {"liner", mill.material, mill.group}, motion,
            mill_shell(mill, -beyond, mill.length + beyond));
     if (mill.ends == EndKind::kWalls) {
-      add_to(&pending_.back(), "ends",
-             mill.end_material.empty() ? mill.material : mill.end_material, motion,
-             mill_ends(mill));
+      add_to(&pending_.back(),
+             {"ends", mill.end_material.empty() ? mill.material : mill.end_material, mill.group},
+             motion, mill_ends(mill));
     }
     const double radius = 0.5 * mill.diameter;
     include(Vec3(-radius, -radius, 0), 0);
@@ -147,7 +156,7 @@ class GeometryBuilder {
       const std::size_t count = all.size();
       for (std::size_t k = 0; k < count; ++k) add_images(all[k], a, low, high, all);
     }
-    add(mesh.name, mesh.material, mesh.motion, std::move(all));
+    add(named(mesh), mesh.motion, std::move(all));
   }
 
   void add_images(const Triangle t, int axis, double low, double high,
@@ -186,6 +195,7 @@ class GeometryBuilder {
   }
 
   const Scene& scene_;
+  Groups groups_;
   double largest_;
   SceneGeometry out_;
   std::vector<Pending> pending_;
@@ -213,16 +223,16 @@ LawColumns<Real> law_columns(const Scene& scene, const std::vector<PairValues>& 
   return law;
 }
 
-// What rains in while the account is open has the velocity it is given now; the world keeps those of
-// half a step before. A charge that starts, or is exchanged, brings them as they are kept.
+// What rains in while the account is open has the velocity it is given now; the world keeps those
+// of half a step before. A charge that starts, or is exchanged, brings them as they are kept.
 template <class Real>
 Vec3 stored_velocity(const World<Real>& world, const ParticleSeed& seed) {
   if (world.ledger.open == 0) return seed.velocity;
   return seed.velocity - 0.5 * world.clock.dt * world.gravity;
 }
 
-// It brings its energy along; gravity works on it from now on, though the next step counts the whole
-// step that ends now.
+// It brings its energy along; gravity works on it from now on, though the next step counts the
+// whole step that ends now.
 template <class Real>
 void open_account(World<Real>& world, const ParticleSeed& seed, double mass, double spinning) {
   if (world.ledger.open == 0) return;
@@ -237,9 +247,16 @@ void append_sphere(World<Real>& world, const Scene& scene, const ParticleSeed& s
   Particles<Real>& p = world.particles;
   const Real radius = static_cast<Real>(seed.radius);
   const Vec3 velocity = stored_velocity(world, seed);
-  p.record[k] = {seed.position.x(), seed.position.y(), seed.position.z(), radius,
-                 static_cast<Real>(seed.spin.x()), velocity.x(), velocity.y(), velocity.z(),
-                 static_cast<Real>(seed.spin.y()), static_cast<Real>(seed.spin.z())};
+  p.record[k] = {seed.position.x(),
+                 seed.position.y(),
+                 seed.position.z(),
+                 radius,
+                 static_cast<Real>(seed.spin.x()),
+                 velocity.x(),
+                 velocity.y(),
+                 velocity.z(),
+                 static_cast<Real>(seed.spin.y()),
+                 static_cast<Real>(seed.spin.z())};
   const double mass =
       scene.materials[seed.material].density * sphere_volume(static_cast<double>(radius));
   p.traits[k].inverse_mass = static_cast<Real>(1 / mass);
@@ -423,6 +440,7 @@ World<Real> make_world(const Scene& scene, SceneGeometry geometry,
   world.walls = std::move(geometry.walls);
   world.bodies = std::move(geometry.bodies);
   world.size_classes = SizeClasses(scene);
+  world.groups = Groups(scene);
   world.shapes = std::move(shapes);
   world.patch = {scene.contact.overlap, scene.contact.normal_model,
                  scene.contact.volume_stiffness.value_or(0), scene.contact.patch_damping};

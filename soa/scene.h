@@ -90,18 +90,21 @@ struct MillSpec {
   int pieces_per_arc = 4;  // straight pieces of the shell between two lifters (all around: none)
   std::optional<LifterSpec> lifters;
   Schedule rotation;  // rad/s; positive: counterclockwise seen from +z
+  std::string group = "liner";
 };
 
 struct MeshWallSpec {
   std::string name, path, material;
   double scale = 1;  // file units to m
   Motion motion;
+  std::string group = "liner";
 };
 
 struct PlaneSpec {
   std::string name, material;
   Vec3 point = Vec3::Zero(), normal = Vec3::UnitZ();  // the normal points to the charge
   Motion motion;
+  std::string group = "liner";
 };
 
 // A closed or open box, walls facing inwards.
@@ -110,6 +113,7 @@ struct BoxSpec {
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();
   bool open_top = false;  // no face against gravity
   Motion motion;
+  std::string group = "liner";
 };
 
 // One size class: diameters (of polyhedra: of the sphere of equal volume) uniform in [from, to]. Exactly one of count, mass_share is set.
@@ -159,6 +163,7 @@ struct ParticleSpec {
   std::optional<double> filling_level;  // share of the mill's volume taken by the bulk, porosity 0.4
   std::vector<ExplicitParticle> explicit_particles;  // also filled from `csv` by the reader
   std::string csv;
+  std::string group;  // see soa/groups.h; empty: the name
 };
 
 inline ShapeKind shape_of(const ParticleSpec& species, const SizeClass& size) {

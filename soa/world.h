@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "soa/facets.h"
+#include "soa/groups.h"
 #include "soa/motion.h"
 #include "soa/pairs.h"
 #include "soa/particles.h"
@@ -26,6 +27,7 @@ struct Wall {
   std::string name;
   std::uint32_t material = 0;
   Index body = 0;
+  std::uint8_t group = 0;  // of Groups
 };
 
 struct Body {
@@ -141,6 +143,7 @@ struct World {
   std::vector<Body> bodies;
   double total_mass = 0;
   SizeClasses size_classes;
+  Groups groups;
   std::vector<Shape> shapes;    // of the polyhedra
   PatchLaw patch;
   double drag = 1;              // velocity factor of the soft phase

@@ -19,6 +19,16 @@ count = 300)",
   { from = "12 mm", to = "14 mm", count = 3, shape = "polyhedron" },
 ])",
      {R"~(41:1: error: particles 'ore' need 'mesh', the STL file of their polyhedra)~"}},
+    {"GroupWithADash",
+     "count = 300",
+     R"(count = 300
+group = "coarse-ore")",
+     {R"~(46:9: error: 'group': 'coarse-ore' may not hold -)~"}},
+    {"GroupOfAWall",
+     "count = 300",
+     R"(count = 300
+group = "liner")",
+     {R"~(46:9: error: 'liner' is a group of walls already)~"}},
     {"UnknownShape",
      "count = 300",
      R"(count = 300

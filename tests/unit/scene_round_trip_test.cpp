@@ -78,6 +78,7 @@ void expect_same(const ContactSpec& a, const ContactSpec& b) {
 void expect_same(const MillSpec& a, const MillSpec& b) {
   EXPECT_EQ(a.material, b.material);
   EXPECT_EQ(a.end_material, b.end_material);
+  EXPECT_EQ(a.group, b.group);
   EXPECT_EQ(a.diameter, b.diameter);
   EXPECT_EQ(a.length, b.length);
   EXPECT_EQ(a.ends, b.ends);
@@ -102,6 +103,7 @@ void expect_same(const ParticleSpec& a, const ParticleSpec& b) {
   EXPECT_EQ(a.mass, b.mass);
   EXPECT_EQ(a.filling_level, b.filling_level);
   EXPECT_EQ(a.csv, b.csv);
+  EXPECT_EQ(a.group, b.group);
   ASSERT_EQ(a.sizes.size(), b.sizes.size());
   for (std::size_t i = 0; i < a.sizes.size(); ++i) {
     EXPECT_EQ(a.sizes[i].from, b.sizes[i].from);
@@ -136,6 +138,7 @@ void expect_same_names(const std::vector<Wall>& a, const std::vector<Wall>& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     EXPECT_EQ(a[i].name, b[i].name);
     EXPECT_EQ(a[i].material, b[i].material);
+    EXPECT_EQ(a[i].group, b[i].group);
     expect_same(a[i].motion, b[i].motion);
   }
 }
@@ -323,6 +326,7 @@ rolling_friction = 0.043
 [mill]
 material = "steel-2"
 end_material = "ore"
+group = "shell"
 diameter = "777 mm"
 length = "0.9 m"
 ends = "open"
@@ -336,6 +340,7 @@ face_angle = "7 deg"
 top_width = "11 mm"
 [[walls]]
 name = "belt"
+group = "conveyor"
 kind = "plane"
 material = "ore"
 point = ["0.1 m", "0.2 m", "0.3 m"]
@@ -343,6 +348,7 @@ normal = [1, 2, 3]
 motion = { kind = "translation", axis = [3, 1, 2], rate = "0.3 m/s" }
 [[walls]]
 name = "tub"
+group = "box"
 material = "steel-2"
 low = ["-0.1 m", "-0.2 m", "-0.3 m"]
 high = ["0.1 m", "0.2 m", "0.3 m"]
@@ -350,6 +356,7 @@ open_top = true
 motion = { kind = "oscillation", axis = [1, 1, 0], amplitude = "3 mm", frequency = "7 Hz" }
 [[walls]]
 name = "scoop"
+group = "scoop"
 material = "steel-2"
 mesh = "points.csv"
 scale = 0.001
@@ -367,6 +374,7 @@ over = "3 s"
 velocity = ["0 m/s", "0 m/s", "-1 mm/s"]
 [[particles]]
 name = "a"
+group = "fines"
 material = "ore"
 sizes = [
   { from = "1 mm", to = "3 mm", mass_share = "30 %", shape = "sphere" },
