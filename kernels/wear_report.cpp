@@ -1,5 +1,7 @@
 #include "kernels/wear_report.h"
 
+#include <algorithm>
+
 namespace quern {
 
 namespace {
@@ -52,9 +54,16 @@ WallWear wall_wear(const World<Real>& world, const Scene& scene, Index wall) {
   WallWear out;
   out.time = world.wear.time[0];
   std::vector<WearCell> all;
+  all.reserve(grid.end_cell() - grid.first_cell());
   grid.append_cells(facets, on, all);
+  const auto of_wall = [&](const WearCell& cell) { return facets.wall[cell.facet] == wall; };
+  const auto count = static_cast<std::size_t>(std::count_if(all.begin(), all.end(), of_wall));
+  out.cells.reserve(count);
+  out.energy.reserve(count);
+  out.area.reserve(count);
+  out.made.reserve(count);
   for (std::size_t k = 0; k < all.size(); ++k) {
-    if (facets.wall[all[k].facet] != wall) continue;
+    if (!of_wall(all[k])) continue;
     const WearRow sums = world.wear.total_of(world.wear.cells, grid.first_cell() + k);
     out.cells.push_back(all[k]);
     out.energy.push_back(sums[kSiemEnergy]);

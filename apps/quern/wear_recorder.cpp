@@ -47,6 +47,7 @@ std::vector<WearModel> models_of(const WearSpec& wear) {
 void write_wall(const std::string& name, const WallWear& wall, const std::vector<WearModel>& models,
                 SeriesWriter& series) {
   std::vector<double> corners;
+  corners.reserve(9 * wall.cells.size());
   for (const WearCell& cell : wall.cells) {
     for (const Vec3& c : cell.corner) corners.insert(corners.end(), {c.x(), c.y(), c.z()});
   }
