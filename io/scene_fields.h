@@ -385,6 +385,7 @@ void fields(Io& io, OutputSpec& output) {
 template <class Io>
 void fields(Io& io, RecordSpec& record) {
   using enum Dimension;
+  io({"collisions", "power by kind of collision and collision spectra"}, record.collisions);
   io({"charge_shape", "the charge's shoulder and toe, and the map of its solid fraction"},
      record.charge_shape);
   io({"snapshots_every", "time between snapshots of the map; 0: 1/100 of the recorded window",

@@ -60,7 +60,7 @@ struct NearTouchV {
 };
 
 // History of a slot in f64 lanes: spring, force, normal and overlap of the last step, contact
-// point.
+// point, episode.
 constexpr int kNearHistory = 16;
 static_assert(kNearHistory == PolyhedronSphereBatch<float>::kHistoryStride);
 
@@ -175,9 +175,21 @@ void push_spheres(const StepConstants<double>& step, const ParticleView<Real>& p
     const V now[kNearHistory] = {
         r.spring.x, r.spring.y, r.spring.z, r.force.x, r.force.y,
         r.force.z,  normal.x,   normal.y,   normal.z,  hn::IfThenElseZero(touching, t.overlap),
-        point.x,    point.y,    point.z,    zero,      zero,
-        zero};
+        point.x,    point.y,    point.z,    h[13],     h[14],
+        h[15]};
     store_history(now, c.history + at);
+    if (c.told != nullptr) {
+      const V half_mass = hn::Div(hn::Set(d, 0.5), t.inverse_mass);
+      const V told[8] = {r.work,
+                         r.elastic,
+                         r.slide,
+                         r.tangential_damping,
+                         t.overlap_old,
+                         hn::Mul(half_mass, hn::Mul(t.normal_velocity, t.normal_velocity)),
+                         hn::Mul(half_mass, dot(t.at_point, t.at_point)),
+                         zero};
+      store_rows(told, [&](std::size_t lane) { return &c.told[at + lane].work; });
+    }
     const V smaller = hn::Min(to_f64(a.radius), hn::LoadU(d, c.radius + at));
     count_response<double>(r, touching, hn::Div(t.overlap, smaller), sum);
     const V one = hn::IfThenElseZero(touching, hn::Set(d, 1));

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "kernels/contact.h"
+#include "kernels/pairs/polyhedron_sphere.h"
 #include "soa/shapes.h"
 
 namespace quern {
@@ -19,7 +20,7 @@ struct BodyState {
   double mobility = 0;      // 1/(kg m^2), the largest inverse principal moment of inertia
   double contacts = 0;      // of the last step
   double radius = 1;        // m, of the sphere of equal volume
-  std::uint32_t material = 0;
+  std::uint32_t material = 0, group = 0;
   // Velocity, spin, inverse mass, mobility: eight numbers.
   const double* motion() const { return velocity.data(); }
 };
@@ -29,18 +30,14 @@ static_assert(sizeof(BodyState) == 112, "motion() is one row");
 struct GroupLanes {
   double* center[3];  // m, of the spheres from the polyhedron's place, nearest image
   double* radius;
-  double* normal[3];
-  double* overlap;
-  double* point[3];
 };
 
-// A contact of a sphere with a polyhedron as the narrow phase found it: a cache line, which the law
-// turns to lanes.
-struct alignas(kAlignment) NearTouch {
-  double normal[3];      // from the polyhedron to the sphere
-  double overlap;        // m; <= 0 closes a contact
-  double point[3];       // m, contact point from the polyhedron's place
-  double body_contacts;  // of the polyhedron in the last step
+// What a contact of a sphere with a polyhedron tells while collisions are recorded.
+struct alignas(kAlignment) NearTold {
+  double work, elastic, slide, tangential_damping;  // J
+  double overlap_old;                               // m; > 0: it touched a step ago
+  double approach, impact;                          // J, 1/2 m_e v_n^2 and 1/2 m_e v^2 of now
+  double unused;
 };
 
 // Contacts of spheres with polyhedra, one lane each, padded to kShapePad with lanes that do
@@ -57,6 +54,7 @@ struct NearContacts {
   double* const* sums;  // of its group: force and torque on the polyhedron, contacts; added to
   std::size_t count;    // padded
   double overlap_cap;   // m; 0: none
+  NearTold* told;       // out; null: not asked for
 };
 
 // Rows of `count` numbers, one lane a contact, padded to kShapePad.

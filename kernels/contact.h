@@ -9,6 +9,8 @@
 #pragma once
 
 #include "soa/base.h"
+#include "soa/collisions.h"
+#include "soa/groups.h"
 #include "soa/motion.h"
 #include "soa/pairs.h"
 #include "soa/record.h"
@@ -40,6 +42,8 @@ struct StepConstants {
   double period[3];          // m; 0: not periodic
   double inverse_period[3];  // 1/m; 0: not periodic
   double nearest2 = 0;       // m^2, least half period: of two that are nearer none is an image
+  Recording recording = Recording::kOff;
+  Index groups = 0;          // of particles
 };
 
 // Particles of the whole scene as the last step left them.
@@ -70,6 +74,27 @@ struct FoundPairs {
   std::size_t imported_begin() const { return (own + kPairPad - 1) / kPairPad * kPairPad; }
 };
 inline constexpr Index kTouches = 1, kDidTouch = 2;
+
+// What is told of the collisions of a tile's own contacts while they are recorded. Kinds are pairs
+// of groups of particles, row by row, see pair_kind(). Columns have room for all contacts
+// of the tile and a vector more.
+template <class Real>
+struct PairCollisions {
+  double* energies;  // ContactEnergies of each kind; added to
+  Real *dissipated, *approach;  // J, of episodes that ended
+  Index* ended_kind;
+  Real* impact;  // J, of those that began
+  Index* begun_kind;
+  std::size_t ended = 0, begun = 0;
+};
+// Of groups a <= b among so many.
+inline std::size_t pair_kind(std::size_t groups, std::size_t a, std::size_t b) {
+  return a * groups - a * (a + 1) / 2 + b;
+}
+inline constexpr std::size_t pair_kinds_among(std::size_t groups) {
+  return groups * (groups + 1) / 2;
+}
+inline constexpr std::size_t kMostPairKinds = pair_kinds_among(kMostGroups);
 
 // The numbers of the bits that are set in a byte, ascending; then zeros.
 struct SetBits {
@@ -126,7 +151,8 @@ struct WallContacts {
   double* force[3];   // on the particle: last step's on entry, this step's on return
   double* moment[3];  // rolling
   double* wall_work;  // J, out: work of the wall on the particle in this contact and step
-  double* slide;      // J, out: dissipated by sliding
+  // J, out, of the contact: work on the relative motion, springs, sliding, tangential damping
+  double* energies[4];
   std::size_t count;  // padded to kPairPad by the caller; padding has overlap 0 and no force
 };
 
@@ -168,9 +194,10 @@ template <class Real>
 struct Kernels {
   void (*find_pairs)(const StepConstants<Real>&, const ParticleView<Real>&, const PairView<Real>&,
                      FoundPairs&);
+  // The last: null unless collisions are recorded.
   void (*push_pairs)(const StepConstants<Real>&, const ParticleView<Real>&, const FoundPairs&,
                      const HistoryView<Real>& old, const HistoryView<Real>& now, const TileRows&,
-                     ContactTally&);
+                     ContactTally&, PairCollisions<Real>*);
   void (*walls)(const StepConstants<double>&, const ParticleView<Real>&, const WallContacts&,
                 const TileRows&, ContactTally&);
   void (*move)(const MoveView<Real>&, const TileRows&, double dt, MoveTally&);

@@ -137,7 +137,7 @@ void move_spheres(const MoveView<Real>& m, const TileRows& tile, double dt, Move
     for (std::size_t l = 0; l < count; ++l) {
       const Traits<Real>& now = m.traits_now[at + l];
       m.traits_next[at + l] = {
-          now.inverse_mass, make_tag(tag_material(now.tag), static_cast<std::uint32_t>(touches[l]))};
+          now.inverse_mass, make_tag(tag_material(now.tag), static_cast<std::uint32_t>(touches[l]), tag_group(now.tag))};
     }
 
     const V mass = hn::Div(hn::Set(d, 1), inverse_mass);

@@ -6,70 +6,105 @@ namespace quern {
 
 template <class Real>
 void NearLanes<Real>::clear(const PolyhedronSphereBatch<Real>& batch, Index first, Index last) {
-  touch_.clear();
-  sphere_.clear();
-  motion_.clear();
-  material_.clear();
-  radius_.clear();
-  history_.clear();
-  sums_.clear();
-  for (std::size_t block = batch.begin[first] / kShapePad; block < batch.begin[last] / kShapePad;
-       ++block) {
-    for (std::uint32_t bits = batch.open[block]; bits != 0; bits &= bits - 1) {
-      const std::size_t slot = block * kShapePad + static_cast<std::size_t>(__builtin_ctz(bits));
-      __builtin_prefetch(&batch.numbers[slot * batch.kHistoryStride], 1);
-    }
+  count_ = 0;
+  const std::size_t room = batch.begin[last] - batch.begin[first] + kShapePad;
+  if (touch_.size() < room) {
+    touch_.resize(room);
+    slot_.resize(room);
+    sphere_.resize(room);
+    motion_.resize(room);
+    material_.resize(room);
+    group_.resize(room);
+    radius_.resize(room);
+    history_.resize(room);
+    sums_.resize(room);
   }
 }
 
 template <class Real>
-void NearLanes<Real>::push(const NearTouch& touch, Index sphere, const BodyState& body,
-                           Real* history, double* sums) {
-  touch_.push_back(touch);
-  sphere_.push_back(sphere);
-  motion_.push_back(body.motion());
-  material_.push_back(body.material);
-  radius_.push_back(body.radius);
-  history_.push_back(history);
-  sums_.push_back(sums);
+void NearLanes<Real>::set(std::size_t lane, Index sphere, const BodyState& body, Real* history,
+                          double* sums) {
+  sphere_[lane] = sphere;
+  motion_[lane] = body.motion();
+  material_[lane] = body.material;
+  group_[lane] = static_cast<std::uint8_t>(body.group);
+  radius_[lane] = body.radius;
+  history_[lane] = history;
+  sums_[lane] = sums;
 }
 
 template <class Real>
-void NearLanes<Real>::add(PolyhedronSphereBatch<Real>& batch, Index group, std::size_t count,
-                          const BodyState& body, const GroupLanes& found) {
+void NearLanes<Real>::add(const PolyhedronSphereKernel& narrow, PolyhedronSphereBatch<Real>& batch,
+                          Index group, const BodyState& body, const ShapePose& pose,
+                          const GroupLanes& spheres) {
   using Batch = PolyhedronSphereBatch<Real>;
-  const Index first = batch.begin[group];
+  const Index first = batch.begin[group], count = batch.count[group];
+  std::uint8_t* open = batch.open.data() + first / kShapePad;
+  PolyhedronSphereGroup g;
+  g.pose = &pose;
+  g.count = count;
+  g.contacts = body.contacts;
+  for (int a = 0; a < 3; ++a) g.center[a] = spheres.center[a];
+  g.radius = spheres.radius;
+  g.open = open;
+  g.touch = touch_.data() + count_;
+  g.slot = slot_.data() + count_;
+  const std::size_t told = narrow.touch(g);
   double* sums = batch.sums.data() + group * Batch::kSums;
-  bool any = false;
-  for (std::size_t at = 0; at < count; at += kShapePad) {
-    std::uint32_t touching = 0;
-    for (std::size_t k = 0; k < std::min(kShapePad, count - at); ++k) {
-      touching |= static_cast<std::uint32_t>(found.overlap[at + k] > 0) << k;
-    }
-    std::uint8_t& open = batch.open[(first + at) / kShapePad];
-    std::uint32_t todo = touching | open;
-    open = static_cast<std::uint8_t>(touching);
-    any = any || todo != 0;
-    for (; todo != 0; todo &= todo - 1) {
-      const std::size_t k = at + static_cast<std::size_t>(__builtin_ctz(todo));
-      const NearTouch touch = {{found.normal[0][k], found.normal[1][k], found.normal[2][k]},
-                               found.overlap[k],
-                               {found.point[0][k], found.point[1][k], found.point[2][k]},
-                               body.contacts};
-      push(touch, batch.sphere[first + k], body, &batch.number(first + k, 0), sums);
-    }
+  for (std::size_t at = 0; at < count; at += kShapePad) open[at / kShapePad] = 0;
+  for (std::size_t k = 0; k < told; ++k) {
+    const Index slot = g.slot[k];
+    open[slot / kShapePad] |=
+        static_cast<std::uint8_t>((g.touch[k].overlap > 0 ? 1u : 0u) << slot % kShapePad);
+    Real* history = &batch.number(first + slot, 0);
+    __builtin_prefetch(history, 1);
+    set(count_ + k, batch.sphere[first + slot], body, history, sums);
   }
-  if (any || batch.has_sums[group] != 0) std::fill_n(sums, Batch::kSums, 0.0);
-  batch.has_sums[group] = any ? 1 : 0;
+  count_ += told;
+  if (told > 0 || batch.has_sums[group] != 0) std::fill_n(sums, Batch::kSums, 0.0);
+  batch.has_sums[group] = told > 0 ? 1 : 0;
 }
 
 template <class Real>
-NearContacts<Real> NearLanes<Real>::view(Index idle, double overlap_cap) {
-  while (sphere_.size() % kShapePad != 0) {
-    push(NearTouch{}, idle, idle_body_, idle_history_, idle_sums_);
+NearContacts<Real> NearLanes<Real>::view(Index idle, double overlap_cap, Recording recording) {
+  std::size_t padded = count_;
+  for (; padded % kShapePad != 0; ++padded) {
+    touch_[padded] = NearTouch{};
+    set(padded, idle, idle_body_, idle_history_, idle_sums_);
   }
-  return {touch_.data(),   sphere_.data(), motion_.data(), material_.data(), radius_.data(),
-          history_.data(), sums_.data(),   sphere_.size(), overlap_cap};
+  const bool tells = recording != Recording::kOff;
+  if (tells && told_.size() < padded) told_.resize(touch_.size());
+  return {touch_.data(),  sphere_.data(),
+          motion_.data(), material_.data(),
+          radius_.data(), history_.data(),
+          sums_.data(),   padded,
+          overlap_cap,    tells ? told_.data() : nullptr};
+}
+
+template <class Real>
+void NearLanes<Real>::record(const ParticleView<Real>& spheres, Recording recording,
+                             CollisionTally& tally) {
+  const Groups& groups = tally.groups();
+  for (std::size_t k = 0; k < count_; ++k) {
+    const NearTold& told = told_[k];
+    const std::size_t kind = groups.kind(tag_group(spheres.traits[sphere_[k]].tag), group_[k]);
+    tally.add(kind, {told.work, told.elastic, told.slide, told.tangential_damping});
+    Real* const episode = history_[k] + PolyhedronSphereBatch<Real>::kEpisode;
+    const bool touches = touch_[k].overlap > 0;
+    double energy = told.elastic;
+    if (recording == Recording::kOn) {
+      energy = static_cast<double>(episode[0]) + static_cast<double>(episode[1]) - told.work;
+      if (!(told.overlap_old > 0)) {
+        episode[2] = static_cast<Real>(told.approach);
+        tally.begin_episode(kind, told.impact);
+      }
+      if (!touches) tally.end_episode(kind, energy, static_cast<double>(episode[2]));
+    }
+    if (!touches) energy = 0;
+    episode[0] = static_cast<Real>(energy);
+    episode[1] = static_cast<Real>(energy - static_cast<double>(episode[0]));
+    if (!touches) episode[2] = 0;
+  }
 }
 
 template class NearLanes<float>;

@@ -1,14 +1,15 @@
 // The contacts of a tile's spheres with polyhedra, packed for the law.
 //
-// Of a group of spheres near one polyhedron one or two touch: lanes of a group would be idle. add()
-// takes what touches, or did a step ago, out of one group after another, with what the narrow phase
-// found and where its history and the sums of its group are; view() shows the lanes to
-// push_spheres. Nothing is read of a sphere that neither touches nor did.
+// Of a group of spheres near one polyhedron few touch: lanes of a group would be idle. add() takes
+// what touches, or did a step ago, out of one group after another, with what the narrow phase found
+// and where its history and the sums of its group are; view() shows the lanes to push_spheres.
+// Nothing is read of a sphere that neither touches nor did.
 #pragma once
 
 #include <vector>
 
 #include "kernels/body_contacts.h"
+#include "kernels/collision_tally.h"
 #include "soa/polyhedra.h"
 
 namespace quern {
@@ -17,25 +18,29 @@ namespace quern {
 template <class Real>
 class NearLanes {
  public:
-  // Asks for the histories that the groups [first, last) will need: they lie scattered, and would
-  // be waited for one by one.
+  // Room for all slots of the groups [first, last).
   void clear(const PolyhedronSphereBatch<Real>& batch, Index first, Index last);
-  // The first `count` slots of a group, whose narrow phase is in `found`. `body` and `batch` are to
-  // stay where they are.
-  void add(PolyhedronSphereBatch<Real>& batch, Index group, std::size_t count,
-           const BodyState& body, const GroupLanes& found);
-  bool empty() const { return sphere_.empty(); }
+  // Finds what touches in a group: `spheres` are its first slots, as gathered. `body` and `batch`
+  // are to stay where they are. Asks for the histories: they lie scattered, and the law would wait.
+  void add(const PolyhedronSphereKernel& narrow, PolyhedronSphereBatch<Real>& batch, Index group,
+           const BodyState& body, const ShapePose& pose, const GroupLanes& spheres);
+  bool empty() const { return count_ == 0; }
   // Padded with lanes of the particle `idle`.
-  NearContacts<Real> view(Index idle, double overlap_cap);
+  NearContacts<Real> view(Index idle, double overlap_cap, Recording recording);
+  // After the law, while collisions are recorded: what the lanes tell, and the episodes in their
+  // histories.
+  void record(const ParticleView<Real>& spheres, Recording recording, CollisionTally& tally);
 
  private:
-  void push(const NearTouch& touch, Index sphere, const BodyState& body, Real* history,
-            double* sums);
+  void set(std::size_t lane, Index sphere, const BodyState& body, Real* history, double* sums);
 
+  std::size_t count_ = 0;
   std::vector<NearTouch> touch_;
-  std::vector<Index> sphere_;
+  std::vector<Index> slot_, sphere_;
   std::vector<const double*> motion_;
   std::vector<std::uint32_t> material_;
+  std::vector<std::uint8_t> group_;
+  std::vector<NearTold> told_;
   std::vector<double> radius_;
   std::vector<Real*> history_;
   std::vector<double*> sums_;

@@ -132,7 +132,7 @@ struct BodyV {
   using V = hn::Vec<Lanes<Real>>;
   Vec3V<V> spin;
   V inverse_mass, contacts;
-  hn::Vec<hn::RebindToSigned<Lanes<Real>>> material;
+  hn::Vec<hn::RebindToSigned<Lanes<Real>>> material, group;
 };
 template <class Real>
 HWY_INLINE BodyV<Real> join_bodies(const PlaceV<Real>& low, const PlaceV<Real>& high,
@@ -153,7 +153,8 @@ HWY_INLINE BodyV<Real> join_bodies(const PlaceV<Real>& low, const PlaceV<Real>& 
   }
   // A tag is a material and a number of contacts.
   b.contacts = hn::ConvertTo(Lanes<Real>(), hn::ShiftRight<16>(tag));
-  b.material = hn::And(tag, hn::Set(di, 0xffff));
+  b.material = hn::And(tag, hn::Set(di, 0xff));
+  b.group = hn::And(hn::ShiftRight<8>(tag), hn::Set(di, 0xff));
   return b;
 }
 
@@ -186,7 +187,7 @@ HWY_INLINE PartnerV<Real> load_partner(const ParticleView<Real>& p, const Index*
     tag = hn::BitCast(di, motion.traits[1]);
   }
   out.contacts = hn::ConvertTo(HalfLanes<Real>(), hn::ShiftRight<16>(tag));
-  out.material = hn::And(tag, hn::Set(di, 0xffff));
+  out.material = hn::And(tag, hn::Set(di, 0xff));
   return out;
 }
 

@@ -36,6 +36,7 @@ void place_bodies(const World<Real>& world, std::size_t first, std::size_t last,
     now.state.contacts = p.contacts[k];
     now.state.radius = p.scale[k];
     now.state.material = p.material[k];
+    now.state.group = world.groups.of_species(p.species[k]);
     const Shape& shape = world.shapes[p.shape[k]];
     now.pose = {&shape, p.scale[k], now.state.place, q.toRotationMatrix()};
     now.reach = p.scale[k] * shape.bound_radius;
@@ -212,6 +213,7 @@ void PolyhedronContacts<Real>::add_wall_lane(World<Real>& world, const BodyNow& 
   Lane& lane = lanes_.emplace_back();
   lane.pair = nullptr;
   lane.touching = now != nullptr;
+  lane.old_wall = was;
   if (was) lane.wall = *was;
   lane.stored_old = lane.wall.stored;
   lane.elastic_force_old = lane.wall.elastic_force;
@@ -400,34 +402,10 @@ Vec3 PolyhedronContacts<Real>::moment_of(const World<Real>& world,
 }
 
 template <class Real>
-void PolyhedronContacts<Real>::list_wear(const World<Real>& world,
-                                         const StepConstants<double>& step, WearList& list) const {
-  using B = BodyContacts;
-  const Polyhedra<Real>& p = world.polyhedra;
-  for (std::size_t k = 0; k < count_; ++k) {
-    const Lane& lane = lanes_[k];
-    if (lane.pair) continue;
-    const std::size_t body = lane.wall.particle;
-    WearContact c;
-    c.normal = get3(B::kNormal, k);
-    c.force = get3(B::kForce, k);
-    c.velocity = p.velocity(body) - lane.wall_velocity;
-    c.at_point = get3(B::kAtPoint, k);
-    c.braked = world.wear.velocity == WearVelocity::kAbsolute ? p.velocity(body) : c.velocity;
-    c.slide = get(B::kSlide, k);
-    c.mass = 1 / p.inverse_mass[body];
-    c.friction = step.law.sliding_friction[law_row_[k]];
-    c.touching = lane.touching;
-    c.first_touch = lane.touching && !(get(B::kOverlapOld, k) > 0);
-    add_wear(world, c, lane.wall.wall, kNoIndex, lane.wall.point, lane.smaller, p.species[body],
-             list);
-  }
-}
-
-template <class Real>
 void PolyhedronContacts<Real>::finish(World<Real>& world, const StepConstants<double>& step,
                                       std::vector<PolyhedronWall>& walls,
-                                      std::span<WallTotal> totals, PolyhedronTally& tally) {
+                                      std::span<WallTotal> totals, PolyhedronTally& tally,
+                                      PolyhedronCollisions* collisions) {
   using B = BodyContacts;
   tally.fallbacks.add(fallbacks_);
   for (std::size_t k = 0; k < count_; ++k) {
@@ -454,6 +432,7 @@ void PolyhedronContacts<Real>::finish(World<Real>& world, const StepConstants<do
     t.max_overlap = lane.wall.overlap / lane.smaller;
     t.warnings = t.max_overlap > 0.5 ? 1 : 0;
     tally.contacts[lane.pair ? 0 : 1].add(t);
+    if (collisions != nullptr) record(world, k, t, *collisions);
     if (lane.pair) {
       PolyhedronPair& pair = *lane.pair;
       pair.touching = lane.touching ? 1 : 0;

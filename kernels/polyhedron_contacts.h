@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "kernels/body_contacts.h"
+#include "kernels/collision_tally.h"
 #include "kernels/pairs/polyhedron_facet.h"
 #include "kernels/wear.h"
 #include "soa/world.h"
@@ -30,6 +31,12 @@ struct PolyhedronTally {
     model_work += o.model_work;
     fallbacks.add(o.fallbacks);
   }
+};
+
+// What the contacts of a stretch tell of their collisions, and the episodes of its walls' contacts.
+struct PolyhedronCollisions {
+  CollisionTally tally;
+  std::vector<Episode> wall_episodes;
 };
 
 // Where two bodies were when they were last found apart, and by how much at least: they are apart
@@ -104,16 +111,17 @@ class PolyhedronContacts {
   BodyContacts view();
   // Before finish(), of walls only: appends what they wear.
   void list_wear(const World<Real>& world, const StepConstants<double>& step, WearList& list) const;
-  // `walls` receives the open contacts with walls, by body.
+  // `walls` receives the open contacts with walls, by body. `collisions`: null unless recorded.
   void finish(World<Real>& world, const StepConstants<double>& step,
               std::vector<PolyhedronWall>& walls, std::span<WallTotal> totals,
-              PolyhedronTally& tally);
+              PolyhedronTally& tally, PolyhedronCollisions* collisions);
 
  private:
   // What a lane is, and what the law does not need of it.
   struct Lane {
     PolyhedronPair* pair;  // null: a wall; of `wall` a pair uses normal and overlap only
     PolyhedronWall wall;
+    const PolyhedronWall* old_wall;  // of a wall: what it goes on from, of World's, or null
     bool touching;
     Vec3 arm_i, arm_j, wall_velocity, wall_velocity_old;
     double area, mobility, inverse_tangential, stored_old, elastic_force_old;
@@ -152,6 +160,9 @@ class PolyhedronContacts {
                    const Vec3& moment, double smaller, Index law_row, double& force, double& stored,
                    Vec3& couple) const;
   Vec3 moment_of(const World<Real>& world, const StepConstants<double>& step, std::size_t k) const;
+  // Lane k, between the law and what finish() stores of it.
+  void record(World<Real>& world, std::size_t k, const ContactTally& energies,
+              PolyhedronCollisions& collisions) const;
   void put(int row, const Vec3& v);
   void put(int row, double v) { numbers_[static_cast<std::size_t>(row) * stride_ + count_] = v; }
   double get(int row, std::size_t k) const {

@@ -1,6 +1,7 @@
 // The sphere-sphere contacts of one tile in one step: who touches, then the law over all that do.
 #pragma once
 
+#include "kernels/collision_tally.h"
 #include "kernels/contact.h"
 #include "soa/pairs.h"
 
@@ -11,12 +12,18 @@ template <class Real>
 struct PairScratch {
   Column<Index> i, j, state;   // of FoundPairs
   ContactHistory<Real> spare;  // takes the new histories, and is then the old ones of that tile
+  // Of PairCollisions:
+  std::vector<ContactEnergies> energies;
+  Column<Real> dissipated, approach, impact;
+  Column<Index> ended_kind, begun_kind;
 };
 
 // Adds forces to the rows and to `tally`; the tile's open slots and histories become those of now.
+// `collisions`: null unless they are recorded; histories then hold episodes.
 template <class Real>
 void push_tile_pairs(const Kernels<Real>& kernels, const StepConstants<Real>& step,
                      const ParticleView<Real>& particles, PairBatch<Real>& pairs, std::size_t tile,
-                     const TileRows& rows, PairScratch<Real>& scratch, ContactTally& tally);
+                     const TileRows& rows, PairScratch<Real>& scratch, ContactTally& tally,
+                     CollisionTally* collisions = nullptr);
 
 }  // namespace quern

@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::size_t kEntriesAhead = 8;
 constexpr double kFront = 1e-6;  // of the radius: a centre this high is in front of a face
-constexpr std::size_t kPoint = WallContacts::kGeometry + 11, kRows = kPoint + 3;
+constexpr std::size_t kPoint = WallContacts::kGeometry + 10, kEnergies = kPoint + 3;
+constexpr std::size_t kRows = kEnergies + 4;
 
 // The touches of one particle with one body, in the world frame.
 struct Touches {
@@ -129,6 +130,7 @@ void WallLanes::push(const WallTouchNow& now, const WallSpring* old, const Body&
   feature_[k] = now.feature;
   facet_[k] = now.facet;
   material_[k] = material;
+  old_[k] = old;
   double* const lane = numbers_.data() + k;
   const std::size_t stride = stride_;
   const auto put = [&](std::size_t row, const Vec3& v) {
@@ -176,6 +178,7 @@ void WallLanes::reserve(std::size_t n) {
   wall_.resize(wider);
   feature_.resize(wider);
   facet_.resize(wider);
+  old_.resize(wider);
   material_.resize(wider);
 }
 
@@ -195,8 +198,8 @@ WallContacts WallLanes::view(Index idle) {
   for (double*& s : w.spring) s = std::exchange(row, row + stride_);
   for (double*& f : w.force) f = std::exchange(row, row + stride_);
   for (double*& m : w.moment) m = std::exchange(row, row + stride_);
-  w.wall_work = std::exchange(row, row + stride_);
-  w.slide = row;
+  w.wall_work = row;
+  for (std::size_t k = 0; k < 4; ++k) w.energies[k] = numbers_.data() + (kEnergies + k) * stride_;
   w.particle = particle_.data();
   w.material = material_.data();
   return w;

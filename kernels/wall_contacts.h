@@ -55,13 +55,16 @@ class WallLanes {
   WallSpring spring(std::size_t k) const;
   Index wall(std::size_t k) const { return wall_[k]; }
   Index facet(std::size_t k) const { return facet_[k]; }
+  // The spring that it goes on from, of those that were collected from, or null.
+  const WallSpring* old(std::size_t k) const { return old_[k]; }
   bool is_open(std::size_t k) const { return numbers_[3 * stride_ + k] > 0; }
 
  private:
   void reserve(std::size_t n);
 
-  std::vector<double> numbers_;  // kGeometry + 11 rows of `stride_`, then three of contact points
+  std::vector<double> numbers_;  // kGeometry + 10 rows of `stride_`, three of points, four of energies
   std::vector<Index> particle_, wall_, feature_, facet_;
+  std::vector<const WallSpring*> old_;
   std::vector<std::uint32_t> material_;
   std::size_t size_ = 0, stride_ = 0;
   std::vector<double> center_[3];

@@ -110,7 +110,7 @@ void list_wear(const World<Real>& world, const WallContacts& contacts, const Wal
     c.velocity = velocity - geometry(8);
     c.at_point = c.velocity - (radius - 0.5 * now.overlap) * spin.cross(now.normal);
     c.braked = world.wear.velocity == WearVelocity::kAbsolute ? velocity : c.velocity;
-    c.slide = contacts.slide[k];
+    c.slide = contacts.energies[2][k];
     c.mass = 1 / static_cast<double>(traits.inverse_mass);
     const Index row = tag_material(traits.tag) * world.materials + world.walls[now.wall].material;
     c.friction = world.wall_law.sliding_friction[row];

@@ -214,6 +214,7 @@ void lay_out_pairs(World<Real>& world, Graph& graph, const std::vector<TilePairs
                    const std::vector<Index>& old_of_new, PairLayout<Real>& layout) {
   PairBatch<Real> fresh;
   fresh.rolling = world.rolling;
+  fresh.episodes = world.pairs.episodes;
   fresh.begin.reset(tiles.size() + 1);
   fresh.own_end.reset(tiles.size());
   std::vector<Index> row_begin;

@@ -177,6 +177,7 @@ void lay_out_pairs(World<Real>& world, std::vector<CandidatePair>& found) {
     return a.j != b.j ? a.j < b.j : a.i < b.i;
   });
   std::vector<PolyhedronPair> now;
+  std::vector<Episode> episodes;
   now.reserve(found.size());
   auto old = pairs.begin();
   for (const CandidatePair& pair : found) {
@@ -187,8 +188,12 @@ void lay_out_pairs(World<Real>& world, std::vector<CandidatePair>& found) {
     now.push_back(known ? *old : PolyhedronPair());
     now.back().j = pair.j;
     now.back().i = pair.i;
+    if (!world.collisions.on()) continue;
+    const auto row = static_cast<std::size_t>(old - pairs.begin());
+    episodes.push_back(known ? world.polyhedra.pair_episodes[row] : Episode());
   }
   pairs = std::move(now);
+  world.polyhedra.pair_episodes = std::move(episodes);
 }
 
 template <class Real>

@@ -41,6 +41,9 @@ void BodyStepper<Real>::prepare(const StepConstants<double>& walls, bool rebuilt
     s.totals.assign(world_.walls.size(), WallTotal());
     s.tally = PolyhedronTally();
     s.move = MoveTally();
+    if (!world_.collisions.on()) continue;
+    s.collisions.tally.reset(world_.groups);
+    s.collisions.wall_episodes.clear();
   }
   const bool first = table_.body.empty();
   if (rebuilt || first) {
@@ -89,7 +92,8 @@ void BodyStepper<Real>::run_stretch(std::size_t stretch, int worker, BusyTimes& 
   const auto push = [&] {
     kernels_.push_bodies(constants_, contacts.view());
     if (world_.wear.records()) contacts.list_wear(world_, constants_, s.wear);
-    contacts.finish(world_, constants_, s.walls, s.totals, s.tally);
+    contacts.finish(world_, constants_, s.walls, s.totals, s.tally,
+                    world_.collisions.on() ? &s.collisions : nullptr);
   };
   Stopwatch watch;
   contacts.collect_pairs(world_, table_, first, last);
@@ -102,7 +106,7 @@ void BodyStepper<Real>::run_stretch(std::size_t stretch, int worker, BusyTimes& 
 
 template <class Real>
 GroupLanes BodyStepper<Real>::lanes_for(std::size_t count, Worker& worker) const {
-  constexpr std::size_t kColumns = 11;
+  constexpr std::size_t kColumns = 4;
   const std::size_t stride = (count + kShapePad - 1) / kShapePad * kShapePad;
   if (worker.lanes.size() < kColumns * stride) worker.lanes.resize(kColumns * stride);
   double* at = worker.lanes.data();
@@ -110,15 +114,12 @@ GroupLanes BodyStepper<Real>::lanes_for(std::size_t count, Worker& worker) const
   GroupLanes lanes{};
   for (double*& c : lanes.center) c = next();
   lanes.radius = next();
-  for (double*& c : lanes.normal) c = next();
-  lanes.overlap = next();
-  for (double*& c : lanes.point) c = next();
   return lanes;
 }
 
 template <class Real>
 void BodyStepper<Real>::run_tile(std::size_t tile, int worker, const TileRows& rows,
-                                 ContactTally& tally) {
+                                 ContactTally& tally, CollisionTally* collisions) {
   PolyhedronSphereBatch<Real>& batch = world_.polyhedra.spheres;
   const Particles<Real>& p = world_.particles;
   const ParticleView<Real> view = {p.record.data(), p.traits.data()};
@@ -133,31 +134,28 @@ void BodyStepper<Real>::run_tile(std::size_t tile, int worker, const TileRows& r
     const BodyNow& body = table_.body[batch.polyhedron[g]];
     const Index count = batch.count[g];
     const GroupLanes lanes = lanes_for(count, scratch);
-    kernels_.gather_spheres(constants_, view, body.state.place, batch.sphere.data() + batch.begin[g],
-                            count, lanes);
-    PolyhedronSphereGroup near;
-    near.pose = body.pose;
-    near.count = count;
-    near.radius = lanes.radius;
-    near.overlap = lanes.overlap;
-    for (int a = 0; a < 3; ++a) {
-      near.center[a] = lanes.center[a];
-      near.normal[a] = lanes.normal[a];
-      near.point[a] = lanes.point[a];
-    }
-    narrow_.touch(near);
-    scratch.near.add(batch, g, count, body.state, lanes);
+    kernels_.gather_spheres(constants_, view, body.state.place,
+                            batch.sphere.data() + batch.begin[g], count, lanes);
+    scratch.near.add(narrow_, batch, g, body.state, body.pose, lanes);
   }
   if (scratch.near.empty()) return;
-  kernels_.push_spheres(constants_, view, scratch.near.view(rows.first, world_.overlap_cap), rows,
-                        tally);
+  const Recording recording = world_.collisions.recording;
+  kernels_.push_spheres(constants_, view,
+                        scratch.near.view(rows.first, world_.overlap_cap, recording), rows, tally);
+  if (collisions != nullptr) scratch.near.record(view, recording, *collisions);
 }
 
 template <class Real>
 void BodyStepper<Real>::gather() {
   std::vector<PolyhedronWall>& walls = world_.polyhedra.walls;
   walls.clear();
-  for (const Stretch& s : stretches_) walls.insert(walls.end(), s.walls.begin(), s.walls.end());
+  std::vector<Episode>& episodes = world_.polyhedra.wall_episodes;
+  episodes.clear();
+  for (const Stretch& s : stretches_) {
+    walls.insert(walls.end(), s.walls.begin(), s.walls.end());
+    const std::vector<Episode>& more = s.collisions.wall_episodes;
+    if (world_.collisions.on()) episodes.insert(episodes.end(), more.begin(), more.end());
+  }
   first_wall_.assign(world_.polyhedra.size() + 1, 0);
   for (const PolyhedronWall& wall : walls) ++first_wall_[wall.particle + 1];
   for (std::size_t k = 0; k + 1 < first_wall_.size(); ++k) first_wall_[k + 1] += first_wall_[k];
@@ -319,6 +317,11 @@ void BodyStepper<Real>::add_to(ContactTally& pairs, ContactTally& walls, double&
     add_move(s.move, move);
     for (std::size_t w = 0; w < totals.size(); ++w) add_wall(s.totals[w], totals[w]);
   }
+}
+
+template <class Real>
+void BodyStepper<Real>::add_collisions(Collisions& all) const {
+  for (const Stretch& s : stretches_) s.collisions.tally.add_to(all);
 }
 
 template <class Real>

@@ -34,7 +34,8 @@ class BodyStepper {
   // Contacts among bodies and with walls.
   void run_stretch(std::size_t stretch, int worker, BusyTimes& times);
   // Spheres of a tile against bodies.
-  void run_tile(std::size_t tile, int worker, const TileRows& rows, ContactTally& tally);
+  void run_tile(std::size_t tile, int worker, const TileRows& rows, ContactTally& tally,
+                CollisionTally* collisions);
   // Before the bodies move: wall contacts of all stretches in order, who has which groups and pairs.
   void gather();
   void move_stretch(std::size_t stretch);
@@ -42,6 +43,7 @@ class BodyStepper {
   // In order of stretches.
   void add_to(ContactTally& pairs, ContactTally& walls, double& model_work, MoveTally& move,
               std::vector<WallTotal>& totals) const;
+  void add_collisions(Collisions& all) const;  // while they are recorded, likewise
   Fallbacks fallbacks() const;  // of this step
   void add_wear();              // what the stretches have listed, likewise
 
@@ -55,6 +57,7 @@ class BodyStepper {
     std::vector<PolyhedronWall> walls;
     std::vector<WallTotal> totals;
     PolyhedronTally tally;
+    PolyhedronCollisions collisions;
     MoveTally move;
     WearList wear;
   };

@@ -262,7 +262,7 @@ void append_sphere(World<Real>& world, const Scene& scene, const ParticleSeed& s
   p.traits[k].inverse_mass = static_cast<Real>(1 / mass);
   world.total_mass += 1 / static_cast<double>(p.traits[k].inverse_mass);
   open_account(world, seed, mass, 0.2 * mass * seed.radius * seed.radius * seed.spin.squaredNorm());
-  p.traits[k].tag = make_tag(seed.material, 0);
+  p.traits[k].tag = make_tag(seed.material, 0, world.groups.of_species(seed.species));
   p.id[k] = static_cast<Index>(k);
   p.species[k] = seed.species;
   p.spin_x[k] = seed.spin.x();

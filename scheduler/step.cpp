@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "kernels/wall_collisions.h"
 #include "scheduler/totals.h"
 
 namespace quern {
@@ -38,6 +39,8 @@ void Stepper<Real>::prepare() {
     c.clamped = world_.clamped;
     c.rolling = world_.rolling;
     c.damped = world_.damped;
+    c.recording = world_.collisions.recording;
+    c.groups = static_cast<Index>(world_.groups.of_particles());
     c.nearest2 = HUGE_VAL;
     for (std::size_t a = 0; a < 3; ++a) {
       const Eigen::Index e = static_cast<Eigen::Index>(a);
@@ -54,6 +57,7 @@ void Stepper<Real>::prepare() {
   tile_walls_.resize(world_.tiles() * world_.walls.size());
   known_touches_.resize(world_.tiles());
   if (world_.wear.records()) tile_wear_.resize(world_.tiles());
+  if (world_.collisions.on()) tile_collisions_.resize(world_.tiles());
   world_.wall_totals.resize(world_.walls.size());
 }
 
@@ -69,7 +73,8 @@ void Stepper<Real>::move_walls() {
 }
 
 template <class Real>
-void Stepper<Real>::run_walls(std::size_t tile, Worker& worker, const TileRows& rows) {
+void Stepper<Real>::run_walls(std::size_t tile, Worker& worker, const TileRows& rows,
+                              CollisionTally* collisions) {
   TileWalls& walls = world_.tile_walls[tile];
   const std::span<WallTotal> totals(tile_walls_.data() + tile * world_.walls.size(),
                                     world_.walls.size());
@@ -88,6 +93,9 @@ void Stepper<Real>::run_walls(std::size_t tile, Worker& worker, const TileRows& 
   kernels_.walls(wall_constants_, {p.record.data(), p.traits.data()}, contacts, rows,
                  tile_totals_[tile].walls);
   if (wears) list_wear(world_, contacts, worker.lanes, tile_wear_[tile]);
+  if (collisions != nullptr) {
+    record_wall_contacts(world_, contacts, worker.lanes, walls, *collisions);
+  }
   return_wall_contacts(contacts, worker.lanes, world_.walls, world_.bodies, walls, totals);
 }
 
@@ -103,15 +111,20 @@ void Stepper<Real>::run_tile(std::size_t tile, int worker) {
   totals = TileTotals();
   Stopwatch watch;
 
-  run_walls(tile, w, rows);
+  CollisionTally* collisions = nullptr;
+  if (world_.collisions.on()) {
+    collisions = &tile_collisions_[tile];
+    collisions->reset(world_.groups);
+  }
+  run_walls(tile, w, rows, collisions);
   w.times.add(Stage::kSphereWalls, watch);
 
   push_tile_pairs(kernels_, constants_, {p.record.data(), p.traits.data()}, world_.pairs, tile,
-                  rows, w.pairs, totals.pairs);
+                  rows, w.pairs, totals.pairs, collisions);
   w.times.add(Stage::kSpherePairs, watch);
   if (bodies_) {
     const double spheres = totals.pairs.contacts;
-    bodies_->run_tile(tile, worker, rows, totals.pairs);
+    bodies_->run_tile(tile, worker, rows, totals.pairs, collisions);
     totals.near_bodies = totals.pairs.contacts - spheres;
     w.times.add(Stage::kPolyhedronSpheres, watch);
   }
@@ -283,6 +296,21 @@ void Stepper<Real>::account() {
 }
 
 template <class Real>
+void Stepper<Real>::account_collisions() {
+  Collisions& all = world_.collisions;
+  for (ContactEnergies& kind : all.kinds) kind.elastic = 0;
+  for (const CollisionTally& tile : tile_collisions_) tile.add_to(all);
+  if (bodies_) bodies_->add_collisions(all);
+  if (all.recording == Recording::kOpening) {
+    all.recording = Recording::kOn;
+    all.start = world_.ledger;
+    world_.pairs.episodes = true;
+  } else {
+    all.steps += 1;
+  }
+}
+
+template <class Real>
 StepReport Stepper<Real>::judge() const {
   StepReport report;
   const StepTotals& t = world_.totals;
@@ -346,6 +374,7 @@ StepReport Stepper<Real>::step() {
   add_tiles();
   add_wear();
   account();
+  if (world_.collisions.on()) account_collisions();
   StepReport report = judge();
   report.rebuilt = rebuilds;
   ++clock.step;

@@ -53,11 +53,13 @@ class Stepper {
   void prepare();
   void move_walls();
   void run_tile(std::size_t tile, int worker);
-  void run_walls(std::size_t tile, Worker& worker, const TileRows& rows);
+  void run_walls(std::size_t tile, Worker& worker, const TileRows& rows,
+                 CollisionTally* collisions);
   void run_tasks(bool rebuilt);
   void add_tiles();
   void add_wear();
   void account();
+  void account_collisions();
   StepReport judge() const;
   bool relist_strays();
   void judge_lists();
@@ -73,6 +75,7 @@ class Stepper {
   std::vector<TileTotals> tile_totals_;
   std::vector<WallTotal> tile_walls_;  // tiles x walls
   std::vector<WearList> tile_wear_;    // where wear is recorded
+  std::vector<CollisionTally> tile_collisions_;  // while they are recorded
   std::vector<std::vector<KnownTouch>> known_touches_;  // of each tile's candidates for walls
   std::optional<BodyStepper<Real>> bodies_;
   StageTimes times_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace quern {
 
@@ -107,21 +108,29 @@ void find_wall_candidates(World<Real>& world, const SearchPoint* points, std::si
   }
 }
 
-// Wall springs follow their particles to their new tiles, in particle order.
+// Wall springs, and their episodes if there are any, follow their particles to their new tiles, in
+// particle order.
 template <class Real>
 void carry_wall_springs(World<Real>& world, const std::vector<Index>& new_of_old) {
   std::vector<WallSpring> all;
+  std::vector<Episode> episodes;
   for (TileWalls& t : world.tile_walls) {
     all.insert(all.end(), t.springs.begin(), t.springs.end());
+    episodes.insert(episodes.end(), t.episodes.begin(), t.episodes.end());
     t.springs.clear();
+    t.episodes.clear();
   }
   world.tile_walls.resize(world.tiles());
   for (WallSpring& spring : all) spring.particle = new_of_old[spring.particle];
-  std::stable_sort(all.begin(), all.end(), [](const WallSpring& a, const WallSpring& b) {
-    return a.particle < b.particle;
+  std::vector<std::size_t> order(all.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return all[a].particle < all[b].particle;
   });
-  for (const WallSpring& spring : all) {
-    world.tile_walls[spring.particle / world.tile_size].springs.push_back(spring);
+  for (const std::size_t k : order) {
+    TileWalls& tile = world.tile_walls[all[k].particle / world.tile_size];
+    tile.springs.push_back(all[k]);
+    if (!episodes.empty()) tile.episodes.push_back(episodes[k]);
   }
 }
 

@@ -8,7 +8,7 @@
 
 #define QUERN_PARTICLE_FIELDS(X)                                                               \
   X(Record<Real>, record, "m, rad/s, m/s", "place, radius, half-step spin and velocity")          \
-  X(Traits<Real>, traits, "1/kg, 1", "inverse mass; material (16 bits), contacts of last step")\
+  X(Traits<Real>, traits, "1/kg, 1", "inverse mass; material, group, contacts of last step")\
   X(Index, id, "1", "identity for life, 0 ... n-1")                                            \
   X(std::uint16_t, species, "1", "row of the scene's [[particles]]")                           \
   X(double, spin_x, "rad/s", "half-step spin in full precision")                               \

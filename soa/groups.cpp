@@ -9,7 +9,7 @@ namespace quern {
 Groups::Groups(const Scene& scene) {
   for (const ParticleSpec& species : scene.particles) add(group_of(species));
   of_particles_ = names_.size();
-  if (of_particles_ > kMost) throw UserError("more than 255 groups of particles");
+  if (of_particles_ > kMostGroups) throw UserError("more than 8 groups of particles");
   for (const ParticleSpec& species : scene.particles) {
     of_species_.push_back(static_cast<std::uint8_t>(row(group_of(species))));
   }

@@ -17,19 +17,21 @@
 
 namespace quern {
 
+inline constexpr std::size_t kMostGroups = 8;  // of particles
+
 class Groups {
  public:
-  static constexpr std::size_t kMost = 255;  // of particles: what a tag has room for
-
   Groups() = default;
-  explicit Groups(const Scene& scene);  // UserError if there are more than kMost
+  explicit Groups(const Scene& scene);  // UserError if there are more than kMostGroups
 
   const std::vector<std::string>& names() const { return names_; }
   std::size_t of_particles() const { return of_particles_; }
   // Row of a name, which is one of names().
   std::size_t row(const std::string& name) const;
-  // Of each row of the scene's [[particles]].
-  std::uint8_t of_species(std::size_t species) const { return of_species_[species]; }
+  // Of a row of the scene's [[particles]]; the first group of a species that the scene does not have.
+  std::uint8_t of_species(std::size_t species) const {
+    return species < of_species_.size() ? of_species_[species] : 0;
+  }
 
   std::size_t kinds() const { return of_particles_ == 0 ? 0 : first_kind(of_particles_); }
   // Either order; at least one is a group of particles.

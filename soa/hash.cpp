@@ -68,7 +68,7 @@ void add_pairs(const World<Real>& world, Hasher& h) {
   for (const PairKey& key : keys) {
     h.add(std::uint64_t{key.i} << 32 | key.j);
     const std::size_t tile = pairs.tile_of(key.slot);
-    for (std::size_t k = 0; k < pairs.history(); ++k) h.add(pairs.number(tile, key.slot, k));
+    for (std::size_t k = 0; k < pairs.law_history(); ++k) h.add(pairs.number(tile, key.slot, k));
   }
 }
 

@@ -28,6 +28,9 @@ namespace quern {
 
 inline constexpr std::size_t kPairPad = 16;                      // the widest vector of f32
 inline constexpr std::size_t kHistory = 6, kRollingHistory = 9;  // numbers a contact
+// And while collisions are recorded: energy of its episode (see soa/collisions.h) as a sum and what
+// its rounding has left, energy of approach.
+inline constexpr std::size_t kEpisodeHistory = 3;
 
 // Number k of contact c is numbers[k * stride + c]; vectors may be loaded and stored past the end.
 template <class Real>
@@ -37,7 +40,7 @@ struct HistoryView {
 };
 
 // What the contacts of a tile remember: tangential spring x y z, force on i in the last step x y z,
-// rolling moment x y z.
+// rolling moment x y z, episode.
 template <class Real>
 struct ContactHistory {
   Column<Real> numbers;
@@ -63,8 +66,10 @@ struct PairBatch {
   std::vector<ContactHistory<Real>> contacts;  // of each tile
   Column<Index> begin, own_end;
   bool rolling = false;
+  bool episodes = false;  // contacts have one
 
-  std::size_t history() const { return rolling ? kRollingHistory : kHistory; }
+  std::size_t law_history() const { return rolling ? kRollingHistory : kHistory; }
+  std::size_t history() const { return law_history() + (episodes ? kEpisodeHistory : 0); }
   std::size_t slots() const { return partner.size(); }
   std::size_t blocks() const { return owner.size() / kPairPad; }
   std::size_t tiles() const { return own_end.size(); }

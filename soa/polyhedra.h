@@ -16,6 +16,7 @@
 #include <cstring>
 #include <vector>
 
+#include "soa/collisions.h"
 #include "soa/column.h"
 #include "soa/report.h"
 #include "soa/shapes.h"
@@ -98,13 +99,13 @@ static_assert(sizeof(Fallbacks) == 3 * 8, "saved as a block");
 // spheres in slots [begin[g] .. begin[g+1]), padded to kShapePad by repeating the first sphere.
 // History of a slot, in one piece because few slots of a group have one: spring x y z, force on the
 // sphere x y z, normal x y z and overlap of the last step, contact point from the polyhedron's place
-// x y z, and three unused (a cache line in f32).
+// x y z, and the episode as spheres have it (zeros unless collisions are recorded).
 //
 // Sums and flags spare work, they change no result: they are not saved.
 template <class Real>
 struct PolyhedronSphereBatch {
   static constexpr std::size_t kHistory = 13, kHistoryStride = 16;
-  static constexpr std::size_t kForceEnd = 6, kOverlap = 9;
+  static constexpr std::size_t kForceEnd = 6, kOverlap = 9, kEpisode = 13;
   Column<Index> tile_begin, polyhedron, count, begin, sphere;
   Column<Real> numbers;
   // Not saved:
@@ -163,6 +164,7 @@ struct Polyhedra {
 #undef QUERN_DECLARE
   std::vector<PolyhedronPair> pairs;   // sorted by (j, i)
   std::vector<PolyhedronWall> walls;   // open contacts, by body
+  std::vector<Episode> pair_episodes, wall_episodes;  // of each, while collisions are recorded
   std::vector<Index> wall_candidate_begin, wall_candidate_body, wall_candidate_facet_begin,
       wall_candidate_facet;  // entries of body k: [wall_candidate_begin[k] .. [k+1]), one a wall body
   PolyhedronSphereBatch<Real> spheres;
@@ -180,12 +182,16 @@ struct Polyhedra {
   }
   Vec3 inverse_inertia(std::size_t k) const { return {inverse_ix[k], inverse_iy[k], inverse_iz[k]}; }
 
-  void visit(StateVisitor& v) {
+  void visit(StateVisitor& v, bool episodes) {
 #define QUERN_VISIT(type, name, unit, doc) v.column("polyhedra/" #name, unit, name, 1);
     QUERN_POLYHEDRON_FIELDS(QUERN_VISIT)
 #undef QUERN_VISIT
     visit_rows(v, "polyhedra/pairs", "m, N, N m, 1", pairs);
     visit_rows(v, "polyhedra/walls", "m, N, N m", walls);
+    if (episodes) {
+      visit_rows(v, "polyhedra/pair_episodes", "J", pair_episodes);
+      visit_rows(v, "polyhedra/wall_episodes", "J", wall_episodes);
+    }
     visit_rows(v, "polyhedra/wall_candidate_begin", "1", wall_candidate_begin);
     visit_rows(v, "polyhedra/wall_candidate_body", "1", wall_candidate_body);
     visit_rows(v, "polyhedra/wall_candidate_facet_begin", "1", wall_candidate_facet_begin);

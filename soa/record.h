@@ -38,11 +38,13 @@ struct Traits {
 static_assert(sizeof(Traits<float>) == 8);
 static_assert(sizeof(Traits<double>) == 16);
 
-// tag: material in the low half, number of contacts of the last step in the high half.
-inline std::uint32_t make_tag(std::uint32_t material, std::uint32_t contacts) {
-  return material | (contacts << 16);
+// tag: material and group in the lowest bytes, number of contacts of the last step in the high half.
+inline std::uint32_t make_tag(std::uint32_t material, std::uint32_t contacts,
+                              std::uint32_t group = 0) {
+  return material | (group << 8) | (contacts << 16);
 }
-inline std::uint32_t tag_material(std::uint64_t tag) { return tag & 0xffffu; }
+inline std::uint32_t tag_material(std::uint64_t tag) { return tag & 0xffu; }
+inline std::uint32_t tag_group(std::uint64_t tag) { return tag >> 8 & 0xffu; }
 inline std::uint32_t tag_contacts(std::uint64_t tag) { return static_cast<std::uint32_t>(tag >> 16); }
 
 }  // namespace quern

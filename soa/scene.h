@@ -221,6 +221,7 @@ struct OutputSpec {
 
 // What a run works out of its recorded window besides the series; what is not asked costs nothing.
 struct RecordSpec {
+  bool collisions = false;    // power by kind of collision, collision spectra
   bool charge_shape = false;  // the map of solid fraction; shoulder and toe
   double snapshots_every = 0;  // s; 0: 1/100 of the recorded window
   double cell_angle = 0;       // rad, of the map; 0: chosen from mill and particles

@@ -16,6 +16,7 @@ typename World<Real>::PackedWalls World<Real>::pack_walls() const {
     entries += t.candidates.particle.size();
     facets += t.candidates.facet.size();
   }
+  p.episodes.reset(2 * (collisions.recording == Recording::kOn ? springs : 0));
   p.spring_bytes.reset(springs * sizeof(WallSpring));
   p.spring_tile.reset(springs);
   for (Column<Index>* c : {&p.entry_tile, &p.entry_particle, &p.entry_body, &p.entry_facets}) {
@@ -25,6 +26,10 @@ typename World<Real>::PackedWalls World<Real>::pack_walls() const {
   std::size_t s = 0, e = 0, f = 0;
   for (std::size_t tile = 0; tile < tile_walls.size(); ++tile) {
     const TileWalls& t = tile_walls[tile];
+    for (std::size_t k = 0; k < t.episodes.size(); ++k) {
+      p.episodes[2 * (s + k)] = t.episodes[k].energy;
+      p.episodes[2 * (s + k) + 1] = t.episodes[k].approach;
+    }
     for (const WallSpring& spring : t.springs) {
       std::memcpy(p.spring_bytes.data() + s * sizeof(WallSpring), &spring, sizeof(WallSpring));
       p.spring_tile[s++] = static_cast<Index>(tile);
@@ -53,7 +58,9 @@ void World<Real>::unpack_walls(const PackedWalls& p) {
     WallSpring spring;
     std::memcpy(static_cast<void*>(&spring), p.spring_bytes.data() + s * sizeof(WallSpring),
                 sizeof(WallSpring));
-    tile_walls.at(p.spring_tile[s]).springs.push_back(spring);
+    TileWalls& tile = tile_walls.at(p.spring_tile[s]);
+    tile.springs.push_back(spring);
+    if (!p.episodes.empty()) tile.episodes.push_back({p.episodes[2 * s], p.episodes[2 * s + 1]});
   }
   std::size_t f = 0;
   for (std::size_t e = 0; e < p.entry_tile.size(); ++e) {
@@ -68,10 +75,13 @@ void World<Real>::unpack_walls(const PackedWalls& p) {
 template <class Real>
 void World<Real>::visit(StateVisitor& v) {
   particles.visit(v);
+  collisions.visit(v);
+  pairs.episodes = collisions.recording == Recording::kOn;
   pairs.visit(v);
-  if (!shapes.empty()) polyhedra.visit(v);
+  if (!shapes.empty()) polyhedra.visit(v, pairs.episodes);
   PackedWalls packed = pack_walls();
   v.column("walls/springs", "m, N, N m", packed.spring_bytes, sizeof(WallSpring));
+  if (pairs.episodes) v.column("walls/episodes", "J", packed.episodes, 2);
   v.column("walls/spring_tile", "1", packed.spring_tile, 1);
   v.column("walls/entry_tile", "1", packed.entry_tile, 1);
   v.column("walls/entry_particle", "1", packed.entry_particle, 1);

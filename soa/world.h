@@ -9,8 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "soa/collisions.h"
 #include "soa/facets.h"
 #include "soa/groups.h"
+#include "soa/ledger.h"
 #include "soa/motion.h"
 #include "soa/pairs.h"
 #include "soa/particles.h"
@@ -62,6 +64,7 @@ struct WallCandidates {
 struct TileWalls {
   WallCandidates candidates;
   std::vector<WallSpring> springs;  // open contacts, by particle
+  std::vector<Episode> episodes;    // of each spring, while collisions are recorded
 };
 
 // Force and torque (about the wall's motion centre) of the charge on a wall, and the wall's power.
@@ -81,20 +84,6 @@ struct StepTotals {
   double max_deviation2 = 0, strays = 0, bad = 0;
   // Of pair_contacts and wall_contacts, those of polyhedra.
   double polyhedron_sphere_contacts = 0, polyhedron_pair_contacts = 0, polyhedron_wall_contacts = 0;
-};
-
-// The energy account since it was opened; see scheduler/README.md.
-struct Ledger {
-  double open = 0;  // 1 once the opening energies are known
-  double start_kinetic = 0, start_elastic = 0;
-  double kinetic = 0, elastic = 0;  // now
-  double wall_work = 0, gravity_work = 0, contact_work = 0;
-  double slide = 0, tangential_damping = 0, numerical_loss = 0;
-  double model_work = 0;  // by normal forces of polyhedra that have no potential; in dissipated()
-  double drag_loss = 0;   // taken by the drag of settling; not in dissipated()
-  double abs_wall_work = 0;
-  double dissipated() const { return -contact_work - (elastic - start_elastic); }
-  double normal_damping() const { return dissipated() - slide - tangential_damping; }
 };
 
 // Sums over steps since the last series row.
@@ -160,11 +149,29 @@ struct World {
   Window window;
   Clock clock;
   Wear wear;
+  Collisions collisions;
 
   std::size_t bodies_of_charge() const { return particles.size() + polyhedra.size(); }
   std::size_t tiles() const { return (particles.size() + tile_size - 1) / tile_size; }
   // t = 0 when the walls start to move; settling has its own clock before it.
   double time() const { return static_cast<double>(clock.step) * clock.dt; }
+
+  // Collisions are recorded from after the next step on.
+  void begin_recording() {
+    collisions.begin(groups.kinds());
+    polyhedra.pair_episodes.assign(polyhedra.pairs.size(), Episode());
+  }
+  void end_recording() {
+    collisions = Collisions();
+    pairs.episodes = false;
+    for (TileWalls& tile : tile_walls) tile.episodes.clear();
+    polyhedra.pair_episodes.clear();
+    polyhedra.wall_episodes.clear();
+    PolyhedronSphereBatch<Real>& near = polyhedra.spheres;
+    for (std::size_t slot = 0; slot < near.sphere.size(); ++slot) {
+      for (std::size_t k = near.kEpisode; k < near.kHistoryStride; ++k) near.number(slot, k) = 0;
+    }
+  }
 
   // The clock of the walls: they stand still while the charge settles.
   bool moving_walls = false;
@@ -176,6 +183,7 @@ struct World {
  private:
   struct PackedWalls {
     Column<std::uint8_t> spring_bytes;
+    Column<double> episodes;  // energy, approach of each spring
     Column<Index> spring_tile, entry_tile, entry_particle, entry_body, entry_facets, facet;
   };
   PackedWalls pack_walls() const;

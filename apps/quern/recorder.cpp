@@ -26,7 +26,8 @@ bool any_polyhedra(const Scene& scene) {
 }
 
 std::vector<Quantity> series_quantities(const std::vector<TallyRow>& tallies,
-                                        const std::vector<Wall>& walls) {
+                                        const std::vector<Wall>& walls,
+                                        const std::optional<CollisionRecorder>& collisions) {
   std::vector<Quantity> all;
   for (const TallyRow& row : tallies) all.push_back(row.quantity);
   for (const Wall& wall : walls) {
@@ -40,6 +41,10 @@ std::vector<Quantity> series_quantities(const std::vector<TallyRow>& tallies,
     }
     all.push_back({fmt::format("walls/{}/power", wall.name), "W",
                    "work of the wall on the charge per time, last step"});
+  }
+  if (collisions) {
+    const std::vector<Quantity> by_kind = collisions->quantities();
+    all.insert(all.end(), by_kind.begin(), by_kind.end());
   }
   return all;
 }
@@ -108,13 +113,15 @@ const char* precision_name(const Scene& scene) {
 }
 
 Recorder::Recorder(const std::string& folder, const Scene& scene, double dt,
-                   const std::vector<Wall>& walls, std::optional<double> resumed_at)
+                   const std::vector<Wall>& walls, const Groups& groups,
+                   std::optional<double> resumed_at)
     : folder_(folder),
       scene_(scene),
       record_from_(record_start(scene)),
-      record_step_(static_cast<std::uint64_t>(std::llround(record_from_ / dt))),
       tallies_(tally_rows_of(any_polyhedra(scene))),
-      series_(folder + "/run.h5", series_quantities(tallies_, walls),
+      collisions_(scene.record.collisions ? std::optional<CollisionRecorder>(groups)
+                                          : std::nullopt),
+      series_(folder + "/run.h5", series_quantities(tallies_, walls, collisions_),
               resumed_at ? SeriesMode::kAppend : SeriesMode::kNew) {
   const double every = scene.output.series_every > 0 ? scene.output.series_every
                                                      : run_duration(scene, dt) / 1000;
@@ -123,9 +130,9 @@ Recorder::Recorder(const std::string& folder, const Scene& scene, double dt,
     frame_steps_ = steps_in(scene.output.frames_every, dt);
     frames_.emplace(folder + "/frames");
   }
+  first_step_ = static_cast<std::uint64_t>(std::llround(record_from_ / dt));
   if (scene.record.charge_shape) {
-    const auto first = static_cast<std::uint64_t>(std::llround(record_from_ / dt));
-    charge_.emplace(scene, dt, first, run_steps(scene, dt));
+    charge_.emplace(scene, dt, first_step_, run_steps(scene, dt));
   }
   if (resumed_at) {
     series_.truncate_after(*resumed_at + 0.5 * dt);
@@ -151,6 +158,7 @@ void Recorder::after_step(World<Real>& world) {
       row.insert(row.end(), wall.torque.begin(), wall.torque.end());
       row.push_back(wall.work / world.clock.dt);
     }
+    if (collisions_) collisions_->append(world.collisions, row);
     series_.append(row);
     const double steps = std::max(world.window.steps, 1.0);
     last_power_ = world.window.power / steps;
@@ -228,6 +236,7 @@ void Recorder::write_summary(World<Real>& world, const RunFigures& figures) {
   s.set("stored_energy_change_J", l.kinetic + l.elastic - l.start_kinetic - l.start_elastic);
   s.set("ledger_error", ledger_error(l));
   s.set("numerical_loss", numerical_loss_share(l));
+  write_records(world, s);
   s.set("overlap_warnings", world.clock.warnings);
   if (!world.shapes.empty()) {
     s.set("contained_warnings", world.polyhedra.fallbacks.contained);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "apps/quern/charge_recorder.h"
+#include "apps/quern/collision_recorder.h"
 #include "io/frames.h"
 #include "io/series.h"
 #include "io/summary.h"
@@ -30,19 +31,28 @@ class Recorder {
  public:
   // `resumed_at`: time of the checkpoint a resumed run continues from.
   Recorder(const std::string& folder, const Scene& scene, double dt, const std::vector<Wall>& walls,
-           std::optional<double> resumed_at);
+           const Groups& groups, std::optional<double> resumed_at);
 
-  // Before a step of the run phase: whether its contacts belong to the recorded window.
+  // Before a step of the run phase: recording may begin.
   template <class Real>
   void before_step(World<Real>& world) const {
-    world.wear.recording = world.clock.step >= record_step_;
+    world.wear.recording = world.clock.step >= first_step_;
+    if (collisions_ && world.clock.step + 1 >= first_step_ && !world.collisions.on()) {
+      world.begin_recording();
+    }
   }
   // After a step of the run phase: writes the series row, the frame and the snapshot of the charge
   // that are due.
   template <class Real>
   void after_step(World<Real>& world);
 
-  void keep() const { series_.keep(); }  // with each checkpoint
+  // With each checkpoint: what is worked out of the window so far, and a copy of the file.
+  template <class Real>
+  void keep(const World<Real>& world) {
+    Summary later;
+    write_records(world, later);
+    series_.keep();
+  }
 
   template <class Real>
   void write_summary(World<Real>& world, const RunFigures& figures);
@@ -54,13 +64,18 @@ class Recorder {
 
  private:
   template <class Real>
+  void write_records(const World<Real>& world, Summary& summary) {
+    if (collisions_) collisions_->write(world, record_from_, series_, summary);
+  }
+  template <class Real>
   void write_tables(const World<Real>& world, const ParticleFrame& frame);
 
   std::string folder_;
   Scene scene_;
   double record_from_ = 0;
-  std::uint64_t record_step_ = 0;  // the first whose contacts are recorded
   std::vector<TallyRow> tallies_;
+  std::optional<CollisionRecorder> collisions_;
+  std::uint64_t first_step_ = 0;  // of the recorded window
   std::uint64_t series_steps_ = 1, frame_steps_ = 0;
   SeriesWriter series_;
   std::optional<FrameWriter> frames_;

@@ -53,7 +53,7 @@ class Run {
     const bool resumed = !checkpoint.empty();
     const bool in_run = resumed && world_.clock.phase + 1 == plan_.size();
     recorder_ = std::make_unique<Recorder>(
-        options.out, scene, loaded_.dt, world_.walls,
+        options.out, scene, loaded_.dt, world_.walls, world_.groups,
         in_run ? std::optional<double>(static_cast<double>(world_.clock.step) * world_.clock.dt)
                : std::nullopt);
   }
@@ -173,7 +173,7 @@ class Run {
     header.version = QUERN_VERSION;
     header.time = world_.time();
     header.step = world_.clock.step;
-    if (recorder_) recorder_->keep();
+    if (recorder_) recorder_->keep(world_);
     write_checkpoint(folder, header, [&](StateVisitor& v) { world_.visit(v); });
     last_checkpoint_ = now();
   }

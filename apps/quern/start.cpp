@@ -39,6 +39,16 @@ std::vector<const Facets*> bodies_of(const World<Real>& world) {
 }
 
 template <class Real>
+void set_groups(World<Real>& world) {
+  Particles<Real>& p = world.particles;
+  for (std::size_t k = 0; k < p.size(); ++k) {
+    const std::uint64_t tag = p.traits[k].tag;
+    p.traits[k].tag =
+        make_tag(tag_material(tag), tag_contacts(tag), world.groups.of_species(p.species[k]));
+  }
+}
+
+template <class Real>
 void count_mass(World<Real>& world) {
   world.total_mass = 0;
   for (const Traits<Real>& traits : world.particles.traits) {
@@ -85,6 +95,7 @@ Start<Real>::Start(LoadedScene from, const std::string& checkpoint, Say say)
     warn_of_target<Real>(read_checkpoint_header(checkpoint));
     count_mass(world);
   }
+  if (!fills) set_groups(world);
   if (rains) {
     rain_ = std::make_unique<Rain>(scene, bodies_of(world), loaded.seeds);
     rain_->resume_after(world.clock.inserted);
@@ -161,6 +172,7 @@ void Start<Real>::start_from(const std::string& path) {
   std::vector<Shape> shapes;
   if (exchange) std::swap(shapes, world.shapes);  // without shapes a world reads no polyhedra
   read_checkpoint(path, [&](StateVisitor& v) { world.visit(v); });
+  world.end_recording();
   if (exchange) {
     world = exchange_shapes(std::move(world), scene, loaded.seeds, std::move(shapes));
     scene.run.relax = scene.run.relax.value_or(kExchangeRelax);

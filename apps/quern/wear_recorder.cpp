@@ -18,8 +18,8 @@ class Table {
   void write(const std::string& name, SeriesWriter& series) const {
     std::vector<TableColumn> columns;
     for (std::size_t k = 0; k < values_.size(); ++k) {
-      columns.push_back(table_column<double>(quantities_[k].first, std::span(values_[k]),
-                                             quantities_[k].second));
+      columns.push_back(
+          table_column<double>(quantities_[k].first, std::span(values_[k]), quantities_[k].second));
     }
     series.write_table(name, columns);
   }
@@ -101,7 +101,8 @@ void write_groups(const World<Real>& world, const Scene& scene,
     names += (g > 0 ? "\n" : "") + world.groups.names()[g];
   }
   for (std::size_t s = 0; s < species.size(); ++s) {
-    for (std::size_t k = 0; k < kWearSums; ++k) groups[world.groups.of_species(s)][k] += species[s][k];
+    for (std::size_t k = 0; k < kWearSums; ++k)
+      groups[world.groups.of_species(s)][k] += species[s][k];
   }
   Table table;
   for (const WearModel& m : models) {

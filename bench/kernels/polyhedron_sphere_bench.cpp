@@ -59,7 +59,11 @@ Vec3 place_sphere(const ShapePose& rock, const Vec3& direction, double radius, d
 struct Groups {
   std::vector<peers::BodyPair> pairs;
   std::vector<PolyhedronSphereGroup> groups;
-  Column<double> in[4], out[7];
+  std::vector<ShapePose> poses;
+  Column<double> in[4];
+  std::vector<NearTouch> touch;
+  std::vector<Index> slot;
+  std::vector<std::uint8_t> open;
 
   Groups(const Case& c, std::size_t group_size) {
     std::mt19937 draw(11);
@@ -69,7 +73,10 @@ struct Groups {
       column.reset(count * padded);
       column.fill(0);
     }
-    for (Column<double>& column : out) column.reset(count * padded);
+    poses.reserve(count);
+    touch.resize(count * padded);
+    slot.resize(count * padded);
+    open.resize(padded / kShapePad);
     for (std::size_t g = 0; g < count; ++g) {
       add_group(c, g * padded, group_size, draw);
     }
@@ -80,23 +87,24 @@ struct Groups {
     std::uniform_real_distribution<double> u(0, 1);
     const Shape& shape = rocks()[draw() % rocks().size()];
     PolyhedronSphereGroup group;
-    group.pose = {&shape, 1 + u(draw), Vec3(u(draw), u(draw), u(draw)), test::random_turn(draw)};
-    const double radius = c.size * group.pose.scale;
+    poses.push_back(
+        {&shape, 1 + u(draw), Vec3(u(draw), u(draw), u(draw)), test::random_turn(draw)});
+    const ShapePose& pose = poses.back();
+    group.pose = &pose;
+    const double radius = c.size * pose.scale;
     for (std::size_t k = 0; k < size; ++k) {
       const Vec3 center =
-          place_sphere(group.pose, test::random_direction(draw), radius, c.overlap * radius);
+          place_sphere(pose, test::random_direction(draw), radius, c.overlap * radius);
       for (int axis = 0; axis < 3; ++axis) in[axis][at + k] = center[axis];
       in[3][at + k] = radius;
-      pairs.push_back({group.pose, {nullptr, radius, group.pose.place + center, Mat3::Identity()}});
+      pairs.push_back({pose, {nullptr, radius, pose.place + center, Mat3::Identity()}});
     }
     group.count = size;
-    for (int axis = 0; axis < 3; ++axis) {
-      group.center[axis] = in[axis].data() + at;
-      group.normal[axis] = out[axis].data() + at;
-      group.point[axis] = out[4 + axis].data() + at;
-    }
+    for (int axis = 0; axis < 3; ++axis) group.center[axis] = in[axis].data() + at;
     group.radius = in[3].data() + at;
-    group.overlap = out[3].data() + at;
+    group.open = open.data();
+    group.touch = touch.data() + at;
+    group.slot = slot.data() + at;
     groups.push_back(group);
   }
 };
@@ -112,13 +120,13 @@ void check_ours(const Case& c) {
   Groups set(c, 24);
   std::size_t at = 0;
   for (const PolyhedronSphereGroup& g : set.groups) {
-    choose_polyhedron_sphere().touch(g);
-    for (std::size_t k = 0; k < g.count; ++k, ++at) {
+    const std::size_t told = choose_polyhedron_sphere().touch(g);
+    for (std::size_t k = 0, n = 0; k < g.count; ++k, ++at) {
       const PolyhedronSphereTouch t = plain(set.pairs[at]);
-      const Vec3 normal(g.normal[0][k], g.normal[1][k], g.normal[2][k]);
-      const bool same = t.overlap > 0 ? std::abs(g.overlap[k] - t.overlap) < 1e-13 &&
-                                            (normal - t.normal).norm() < 1e-12
-                                      : g.overlap[k] <= 0;
+      const NearTouch* ours = n < told && g.slot[n] == k ? &g.touch[n++] : nullptr;
+      const bool same = ours != nullptr ? std::abs(ours->overlap - t.overlap) < 1e-13 &&
+                                              (Vec3(ours->normal) - t.normal).norm() < 1e-12
+                                        : t.overlap <= 0;
       if (same) continue;
       std::fprintf(stderr, "kernel and plain kernel differ: %s, pair %zu\n", c.name, at);
       std::exit(1);

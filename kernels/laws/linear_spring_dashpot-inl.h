@@ -90,13 +90,17 @@ struct ResponseV {
 
 // What a law leaves out where a scene has none of it: a contact pays for what it models.
 struct RollingLaw {
-  static constexpr bool kDamped = true, kRolling = true;
+  static constexpr bool kDamped = true, kRolling = true, kRecorded = false;
 };
 struct DampedLaw {  // tangential damping, no rolling friction
-  static constexpr bool kDamped = true, kRolling = false;
+  static constexpr bool kDamped = true, kRolling = false, kRecorded = false;
 };
 struct PlainLaw {
-  static constexpr bool kDamped = false, kRolling = false;
+  static constexpr bool kDamped = false, kRolling = false, kRecorded = false;
+};
+template <class Law>
+struct Recorded : Law {  // collisions are recorded
+  static constexpr bool kRecorded = true;
 };
 
 // Turns the tangential spring with the contact: the rotation that takes the old normal to the new

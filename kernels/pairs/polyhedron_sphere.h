@@ -37,20 +37,30 @@ struct PolyhedronSphereTouch {
 bool touch_polyhedron_sphere(const ShapePose& pose, const Vec3& center, double radius,
                              PolyhedronSphereTouch& out) noexcept;
 
-// Spheres near one polyhedron. Arrays hold `count` entries, padded to whole kShapePad with any
-// finite numbers; outputs are written up to that padding.
+// A sphere that touches a polyhedron: a cache line, which the law turns to lanes.
+struct alignas(64) NearTouch {
+  double normal[3];      // unit, from the polyhedron to the sphere; 0 where they are apart
+  double overlap;        // m; <= 0: apart, and then minus a lower bound of the gap
+  double point[3];       // m, contact point from the polyhedron's place; 0 where they are apart
+  double body_contacts;  // of the polyhedron in the last step
+};
+
+// Spheres near one polyhedron. Columns hold `count` entries, padded to whole kShapePad with any
+// finite numbers.
 struct PolyhedronSphereGroup {
-  ShapePose pose;
+  const ShapePose* pose = nullptr;
   std::size_t count = 0;
+  double contacts = 0;           // of the polyhedron in the last step, for `touch`
   const double* center[3] = {};  // m, relative to the polyhedron's place, world axes
   const double* radius = nullptr;
-  double* normal[3] = {};     // unit, from the polyhedron to the sphere; 0 where they are apart
-  double* overlap = nullptr;  // m; <= 0: apart, and then minus a lower bound of the gap
-  double* point[3] = {};      // contact point as `center`; 0 where they are apart
+  const std::uint8_t* open = nullptr;  // a bit for each that is told even if it is apart
+  // Out, room for `count`: what touches or is open, in order, and which of the group it is.
+  NearTouch* touch = nullptr;
+  Index* slot = nullptr;
 };
 
 struct PolyhedronSphereKernel {
-  // Returns how many of the group touch.
+  // Returns how many of the group are told.
   std::size_t (*touch)(const PolyhedronSphereGroup&) noexcept;
   const char* target;
 };

@@ -70,7 +70,8 @@ void sphere_facet(const StepConstants<double>& step, const ParticleView<Real>& p
     const V pushed = hn::Add(dot(old.force, wall_velocity_old), dot(r.force, wall_velocity));
     const V turned = step.rolling ? dot(old.moment + r.moment, t.spin_j) : zero;
     hn::StoreU(hn::Mul(half_dt, hn::Add(pushed, turned)), d, walls.wall_work + at);
-    hn::StoreU(r.slide, d, walls.slide + at);
+    const V energies[4] = {r.work, r.elastic, r.slide, r.tangential_damping};
+    for (int k = 0; k < 4; ++k) hn::StoreU(energies[k], d, walls.energies[k] + at);
     store3(r.spring, walls.spring, at);
     store3(r.force, walls.force, at);
     store3(r.moment, walls.moment, at);

@@ -18,7 +18,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "kernels/pair_loop-inl.h"
+#include "kernels/episodes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace quern {
@@ -166,9 +166,7 @@ HWY_INLINE std::uint32_t touching_bits(const StepConstants<Real>& step, const Pa
                                gap2_of<Real, kLast>(owners.high_radius, radius, high_d2));
   // An empty lane pairs a particle with itself: gap = R^2 there, so ask for two distinct partners.
   const auto distinct = hn::RebindMask(d, hn::Ne(owners.index, load_index<Real>(partner)));
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(d, hn::And(distinct, hn::Gt(gap2, hn::Zero(d))), bytes);
-  return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
+  return bits_of(d, hn::And(distinct, hn::Gt(gap2, hn::Zero(d))));
 }
 
 // The partners of a row some rows ahead; past the end of a tile's rows it is the next tile's.
@@ -192,22 +190,6 @@ struct FoundPart {
   Index *owner, *partner, *state;
   std::size_t count;
 };
-
-// Lanes whose bit is set, side by side at the front. Up to eight lanes by a table of their numbers.
-template <class D>
-HWY_INLINE hn::Vec<D> to_front(D d, hn::Vec<D> v, std::uint32_t bits) {
-  constexpr std::size_t kLanes = hn::MaxLanes(d);
-  if constexpr (kLanes == 1) return v;
-  if constexpr (kLanes == 16) {
-    const std::uint16_t word = static_cast<std::uint16_t>(bits);
-    alignas(8) std::uint8_t bytes[8];
-    std::memcpy(bytes, &word, sizeof word);
-    return hn::Compress(v, hn::LoadMaskBits(d, bytes));
-  }
-  const hn::Rebind<std::uint8_t, D> bytes;
-  const auto lanes = hn::PromoteTo(d, hn::LoadU(bytes, kSetBits.lane[bits & 0xff]));
-  return hn::TableLookupLanes(v, hn::IndicesFromVec(d, lanes));
-}
 
 // Appends those lanes of a row that touch or did so in the last step.
 template <class Real>
@@ -316,6 +298,23 @@ struct HistoryPlace {
   std::size_t old = 0, now = 0;
 };
 
+// The numbers behind the first so many of each contact.
+template <std::size_t kFirst, class Real>
+HWY_INLINE HistoryView<Real> behind(const HistoryView<Real>& history) {
+  return {history.numbers + kFirst * history.stride, history.stride};
+}
+
+// What a few vectors of contacts add up in Real.
+template <class Real, class Law>
+struct FewV {
+  TallyV<hn::Vec<Lanes<Real>>> tally;
+};
+template <class Real, class Law>
+struct FewV<Real, Recorded<Law>> {
+  TallyV<hn::Vec<Lanes<Real>>> tally;
+  KindsV<hn::Vec<Lanes<Real>>> kinds;
+};
+
 // A full vector of contacts. Own ones give both partners their share and are tallied; of imported
 // ones only j is of this tile.
 template <class Real, class Law, bool kOwn>
@@ -323,7 +322,8 @@ HWY_INLINE void sphere_sphere(const StepConstants<Real>& step, const ParticleVie
                               const Index* i, const Index* j, const Index* state,
                               const HistoryView<Real>& old_history,
                               const HistoryView<Real>& new_history, const TileRows& tile,
-                              HistoryPlace& at, TallyV<hn::Vec<Lanes<Real>>>& tally) {
+                              HistoryPlace& at, FewV<Real, Law>& few,
+                              PairCollisions<Real>* collisions) {
   const Lanes<Real> d;
   using V = hn::Vec<Lanes<Real>>;
   constexpr std::size_t kLast = kHalves<Real> - 1, kHigh = kLast * hn::MaxLanes(D64());
@@ -359,6 +359,11 @@ HWY_INLINE void sphere_sphere(const StepConstants<Real>& step, const ParticleVie
   const auto touching = is(kTouches), open = is(kDidTouch);
   V h[Law::kRolling ? kRollingHistory : kHistory];
   load_history(old_history, at.old, open, h);
+  [[maybe_unused]] EpisodeV<V> episode = {zero, zero, zero};
+  if constexpr (Law::kRecorded) {
+    if (step.recording == Recording::kOn)
+      load_history(behind<std::size(h)>(old_history), at.old, open, episode);
+  }
   at.old += hn::CountTrue(d, open);
   HistoryV<V> old = {{h[0], h[1], h[2]}, {h[3], h[4], h[5]}, {zero, zero, zero}};
   if constexpr (Law::kRolling) old.moment = {h[6], h[7], h[8]};
@@ -376,8 +381,19 @@ HWY_INLINE void sphere_sphere(const StepConstants<Real>& step, const ParticleVie
   keep(3, r.force);
   if constexpr (Law::kRolling) keep(6, r.moment);
   store_history(h, touching, new_history, at.now);
+  if constexpr (Law::kRecorded) {
+    const Changes changes = changes_of(d, touching, open);
+    follow_episodes<Real>(step.recording, t, r, touching, open, changes, episode);
+    if constexpr (kOwn) {
+      const V kind = pair_kinds<Real>(step.groups, a.group, b.group);
+      add_to_kinds<Real>(pair_kinds_among(step.groups), kind, r, few.kinds);
+      if (HWY_UNLIKELY((changes.begun | changes.ended) != 0) && step.recording == Recording::kOn)
+        tell_changes<Real>(changes, kind, t, episode, *collisions);
+    }
+    store_history(episode, touching, behind<std::size(h)>(new_history), at.now);
+  }
   at.now += hn::CountTrue(d, touching);
-  if constexpr (kOwn) count_response<Real>(r, touching, hn::Div(t.overlap, radius_i), tally);
+  if constexpr (kOwn) count_response<Real>(r, touching, hn::Div(t.overlap, radius_i), few.tally);
 
   const Vec3V<V> twist = cross(r.tangential, t.normal);  // = -n x F_t
   Vec3V<V> torque_j = scale(arm_j, twist);
@@ -410,45 +426,64 @@ template <class Real, class Law, bool kOwn>
 HWY_INLINE void push_part(const StepConstants<Real>& step, const ParticleView<Real>& p,
                           const FoundPairs& found, const HistoryView<Real>& old,
                           const HistoryView<Real>& now, const TileRows& tile, HistoryPlace& at,
-                          ContactTally& tally) {
+                          ContactTally& tally, PairCollisions<Real>* collisions) {
   constexpr std::size_t kLanes = hn::MaxLanes(Lanes<Real>());
   constexpr std::size_t kFew = 4 * kPairPad;  // contacts whose tallies are added in Real
+  constexpr std::size_t kFewOfKinds = 4 * kFew;
+  [[maybe_unused]] const std::size_t kinds = pair_kinds_among(step.groups);
   const std::size_t first = kOwn ? 0 : found.imported_begin();
   const std::size_t last = first + (kOwn ? found.own : found.imported);
   TallySumV sum = zero_tally_sum();
+  FewV<Real, Law> few;
+  if constexpr (kOwn && Law::kRecorded) clear_sums(kinds, few.kinds);
   for (std::size_t from = first; from < last; from += kFew) {
-    auto few = zero_tally<Real>();
+    few.tally = zero_tally<Real>();
+    if constexpr (kOwn && Law::kRecorded) {
+      if (from % kFewOfKinds == 0) clear_few(kinds, few.kinds);
+    }
     for (std::size_t k = from; k < std::min(last, from + kFew); k += kLanes) {
       sphere_sphere<Real, Law, kOwn>(step, p, found.i + k, found.j + k, found.state + k, old, now,
-                                     tile, at, few);
+                                     tile, at, few, collisions);
     }
     if constexpr (kOwn) {
-      add_few<Real>(few, sum);
+      add_few<Real>(few.tally, sum);
+      if constexpr (Law::kRecorded) {
+        if ((from + kFew) % kFewOfKinds == 0 || from + kFew >= last)
+          add_few<Real>(kinds, few.kinds);
+      }
       const std::size_t next = tile.first + tile.size;
       prefetch_next_tile(p, next + from * tile.size / last,
                          next + std::min(from + kFew, last) * tile.size / last);
     }
   }
   if constexpr (kOwn) add_tally(sum, tally);
+  if constexpr (kOwn && Law::kRecorded) add_sums(kinds, few.kinds, sum, collisions->energies);
 }
 template <class Real, class Law>
 void push_parts(const StepConstants<Real>& step, const ParticleView<Real>& p,
                 const FoundPairs& found, const HistoryView<Real>& old, const HistoryView<Real>& now,
-                const TileRows& tile, ContactTally& tally) {
+                const TileRows& tile, ContactTally& tally, PairCollisions<Real>* collisions) {
   HistoryPlace at;
-  push_part<Real, Law, true>(step, p, found, old, now, tile, at, tally);
-  push_part<Real, Law, false>(step, p, found, old, now, tile, at, tally);
+  push_part<Real, Law, true>(step, p, found, old, now, tile, at, tally, collisions);
+  push_part<Real, Law, false>(step, p, found, old, now, tile, at, tally, collisions);
 }
 template <class Real>
 void push_pairs(const StepConstants<Real>& step, const ParticleView<Real>& p,
                 const FoundPairs& found, const HistoryView<Real>& old, const HistoryView<Real>& now,
-                const TileRows& tile, ContactTally& tally) {
+                const TileRows& tile, ContactTally& tally, PairCollisions<Real>* collisions) {
+  const auto push = [&]<class Law>(Law) {
+    if (collisions != nullptr) {
+      push_parts<Real, Recorded<Law>>(step, p, found, old, now, tile, tally, collisions);
+    } else {
+      push_parts<Real, Law>(step, p, found, old, now, tile, tally, nullptr);
+    }
+  };
   if (step.rolling) {
-    push_parts<Real, RollingLaw>(step, p, found, old, now, tile, tally);
+    push(RollingLaw());
   } else if (step.damped) {
-    push_parts<Real, DampedLaw>(step, p, found, old, now, tile, tally);
+    push(DampedLaw());
   } else {
-    push_parts<Real, PlainLaw>(step, p, found, old, now, tile, tally);
+    push(PlainLaw());
   }
 }
 

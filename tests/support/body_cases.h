@@ -130,7 +130,8 @@ struct NearCases {
   NearContacts<Real> view() {
     return {touch.data(),    sphere.data(),      motion.data(),
             material.data(), rock_radius.data(), history_of.data(),
-            sums_of.data(),  padded(count),      cap};
+            sums_of.data(),  padded(count),      cap,
+            nullptr};
   }
   Vec3 sum(std::size_t first, std::size_t k) const {
     return Eigen::Map<const Vec3>(sums_of[k] + first);

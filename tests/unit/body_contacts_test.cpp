@@ -68,6 +68,15 @@ void expect_sums(const NearCases<Real>& cases) {
   }
 }
 
+void expect_told(const NearTold& told, const twin::Contact& c, const twin::Response& r) {
+  EXPECT_NEAR(told.work, r.work, kUnits * r.work_error);
+  EXPECT_NEAR(told.elastic, r.elastic, kUnits * r.elastic_error);
+  EXPECT_NEAR(told.slide, r.slide, kUnits * r.slide_error);
+  EXPECT_NEAR(told.tangential_damping, r.tangential_damping, kUnits * r.damping_error);
+  EXPECT_EQ(told.overlap_old > 0, c.overlap_old > 0);
+  EXPECT_GE(told.impact, told.approach * (1 - 1e-12));
+}
+
 template <class Real>
 void check_near(NearCases<Real>& cases, unsigned seed) {
   Rows before(cases.spheres()), rows(cases.spheres());
@@ -78,7 +87,11 @@ void check_near(NearCases<Real>& cases, unsigned seed) {
   TallyTwin tally;
   for (std::size_t k = 0; k < cases.count; ++k) tally.add(cases.contact[k], cases.expected[k]);
   ContactTally got;
-  choose_kernels<Real>().push_spheres(cases.step, cases.particles(), cases.view(),
+  std::vector<NearTold> told(padded(cases.count));
+  NearContacts<Real> contacts = cases.view();
+  contacts.told = told.data();
+  for (std::size_t k = 0; k < cases.count; ++k) cases.history_of[k][13] = Real(k + 1);
+  choose_kernels<Real>().push_spheres(cases.step, cases.particles(), contacts,
                                       rows.tile(cases.kFirst, cases.spheres()), got);
   for (std::size_t k = 0; k < cases.count; ++k) {
     const twin::Response& r = cases.expected[k];
@@ -92,6 +105,8 @@ void check_near(NearCases<Real>& cases, unsigned seed) {
       EXPECT_EQ(cases.history_of[k][10 + a], static_cast<Real>(open * c.j.lever[e]));
     }
     EXPECT_EQ(cases.history_of[k][9], static_cast<Real>(open * c.overlap));
+    EXPECT_EQ(cases.history_of[k][13], Real(k + 1)) << "an episode is left to who records it";
+    expect_told(told[k], c, r);
   }
   expect_sums(cases);
   expect_rows(cases, before, rows);

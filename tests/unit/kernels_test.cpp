@@ -235,7 +235,7 @@ void check_walls(const CaseOptions& o, std::size_t count, unsigned seed) {
   test::Random random(seed);
   const std::size_t padded = (count + kPairPad - 1) / kPairPad * kPairPad;
   Column<double> numbers;
-  numbers.reset(padded * (WallContacts::kGeometry + 11));
+  numbers.reset(padded * (WallContacts::kGeometry + 14));
   numbers.fill(0);
   Column<Index> particle;
   Column<std::uint32_t> material;
@@ -250,7 +250,7 @@ void check_walls(const CaseOptions& o, std::size_t count, unsigned seed) {
   for (double*& f : walls.force) f = std::exchange(row, row + padded);
   for (double*& m : walls.moment) m = std::exchange(row, row + padded);
   walls.wall_work = std::exchange(row, row + padded);
-  walls.slide = row;
+  for (double*& e : walls.energies) e = std::exchange(row, row + padded);
   walls.particle = particle.data();
   walls.material = material.data();
   walls.count = padded;
@@ -322,6 +322,10 @@ void check_walls(const CaseOptions& o, std::size_t count, unsigned seed) {
       error += spin.norm() * (r.moment_error + kEps<double> * before[k].moment.norm());
     }
     EXPECT_NEAR(walls.wall_work[k], work, kUnits * step.dt * error);
+    EXPECT_NEAR(walls.energies[0][k], r.work, kUnits * r.work_error);
+    EXPECT_NEAR(walls.energies[1][k], r.elastic, kUnits * r.elastic_error);
+    EXPECT_NEAR(walls.energies[2][k], r.slide, kUnits * r.slide_error);
+    EXPECT_NEAR(walls.energies[3][k], r.tangential_damping, kUnits * r.damping_error);
   }
   tally.expect(got, kEps<double>);
 }

@@ -230,32 +230,66 @@ TEST(PolyhedronSphere, ABallOfFacetsDiffersFromABallByItsFacetErrorAndNoMore) {
   EXPECT_GT(worst, 0.8 * sagitta) << "the bound is met somewhere";
 }
 
+// What the kernel says of a sphere that it does not tell of.
+constexpr NearTouch kNotTold = {{0, 0, 0}, 0, {0, 0, 0}, 0};
+
+// Which spheres were open a step ago: those the kernel tells of even if they are apart.
+enum class Open { kNone, kAll, kEveryThird };
+
 struct Group {
-  Column<double> in[4], out[7];
+  ShapePose pose;
+  Column<double> in[4];
+  std::vector<NearTouch> told, out;  // as told, and by sphere
+  std::vector<Index> slot;
+  std::vector<std::uint8_t> open;
   PolyhedronSphereGroup view;
-  Group(const ShapePose& pose, std::size_t count) {
+  Group(const ShapePose& at, std::size_t count, Open opened = Open::kAll) : pose(at) {
     const std::size_t room = (count + kShapePad - 1) / kShapePad * kShapePad;
     for (Column<double>& c : in) {
       c.reset(room);
       c.fill(0);
     }
-    for (Column<double>& c : out) {
-      c.reset(room);
-      c.fill(-7);
+    told.resize(count);
+    slot.resize(count);
+    open.resize(room / kShapePad);
+    for (std::size_t k = 0; k < room; ++k) {
+      const bool is_open = opened == Open::kAll || (opened == Open::kEveryThird && k % 3 == 0);
+      open[k / kShapePad] |= static_cast<std::uint8_t>((is_open ? 1u : 0u) << k % kShapePad);
     }
-    view.pose = pose;
+    view.pose = &pose;
     view.count = count;
+    view.contacts = 3;
     view.radius = in[3].data();
-    view.overlap = out[3].data();
-    for (int k = 0; k < 3; ++k) {
-      view.center[k] = in[k].data();
-      view.normal[k] = out[k].data();
-      view.point[k] = out[4 + k].data();
+    view.open = open.data();
+    view.touch = told.data();
+    view.slot = slot.data();
+    for (int k = 0; k < 3; ++k) view.center[k] = in[k].data();
+  }
+  Group(const Group&) = delete;
+  bool is_open(std::size_t k) const { return (open[k / kShapePad] >> k % kShapePad & 1) != 0; }
+  // Returns how many touch. Told are, in order, those that touch or are open.
+  std::size_t find() {
+    const std::size_t count = choose_polyhedron_sphere().touch(view);
+    out.assign(view.count, kNotTold);
+    std::size_t touching = 0;
+    for (std::size_t n = 0; n < count; ++n) {
+      EXPECT_LT(slot[n], view.count);
+      EXPECT_TRUE(n == 0 || slot[n - 1] < slot[n]);
+      EXPECT_TRUE(told[n].overlap > 0 || is_open(slot[n]));
+      EXPECT_EQ(told[n].body_contacts, view.contacts);
+      out[slot[n]] = told[n];
+      touching += told[n].overlap > 0 ? 1 : 0;
     }
+    std::size_t open_count = 0;
+    for (std::size_t k = 0; k < view.count; ++k) {
+      open_count += out[k].overlap > 0 || is_open(k) ? 1 : 0;
+    }
+    EXPECT_EQ(count, open_count) << "what is open is told";
+    return touching;
   }
   Vec3 center(std::size_t k) const { return {in[0][k], in[1][k], in[2][k]}; }
-  Vec3 normal(std::size_t k) const { return {out[0][k], out[1][k], out[2][k]}; }
-  Vec3 point(std::size_t k) const { return {out[4][k], out[5][k], out[6][k]}; }
+  Vec3 normal(std::size_t k) const { return Vec3(out[k].normal); }
+  Vec3 point(std::size_t k) const { return Vec3(out[k].point); }
 };
 
 // A centre over the border of a face, beyond it by next to nothing: where rounding may decide
@@ -273,7 +307,7 @@ Vec3 over_a_border(const ShapePose& pose, double height, std::mt19937& draw) {
 // Spheres of many sizes about one body: in turn shallow touches, apart, anywhere, over a border.
 void place_spheres(Group& g, std::mt19937& draw) {
   std::uniform_real_distribution<double> u(0, 1);
-  const ShapePose& pose = g.view.pose;
+  const ShapePose& pose = g.pose;
   for (std::size_t k = 0; k < g.view.count; ++k) {
     Case c = random_case(*pose.shape, draw);
     c.center *= pose.scale / c.pose.scale;
@@ -307,7 +341,7 @@ double least_sine(const Shape& s) {
 // by error / sine of the angle between the planes. Beside by b the distance differs by b^2 / 2 d,
 // and by b at most.
 void expect_same(const Group& g, std::size_t k, double sine) {
-  const ShapePose& pose = g.view.pose;
+  const ShapePose& pose = g.pose;
   PolyhedronSphereTouch t;
   const bool touching = touch_polyhedron_sphere(pose, g.center(k), g.in[3][k], t);
   const double size = pose.scale * pose.shape->bound_radius + g.center(k).norm() + g.in[3][k];
@@ -315,15 +349,15 @@ void expect_same(const Group& g, std::size_t k, double sine) {
   const double distance = std::abs(g.in[3][k] - t.overlap);
   const double overlap_error =
       error + std::min(beside, 0.5 * beside * beside / std::max(distance, kUnit * size));
-  EXPECT_NEAR(g.out[3][k], t.overlap, overlap_error);
-  if (!touching || !(g.out[3][k] > 0)) {
-    EXPECT_LE(g.out[3][k], touching ? error : 0);
+  EXPECT_NEAR(g.out[k].overlap, t.overlap, overlap_error);
+  if (!touching || !(g.out[k].overlap > 0)) {
+    EXPECT_LE(g.out[k].overlap, touching ? error : 0);
     EXPECT_EQ(g.normal(k), Vec3::Zero());
     EXPECT_EQ(g.point(k), Vec3::Zero());
     return;
   }
   EXPECT_NEAR(g.normal(k).norm(), 1, 1e-14);
-  const Vec3 to_point = g.center(k) - (g.in[3][k] - 0.5 * g.out[3][k]) * g.normal(k);
+  const Vec3 to_point = g.center(k) - (g.in[3][k] - 0.5 * g.out[k].overlap) * g.normal(k);
   EXPECT_LE((g.point(k) - to_point).norm(), error);
   // Inside, two planes may be equally near: the normal is then either one's.
   if (t.inside || distance < 2 * beside) return;
@@ -342,13 +376,18 @@ TEST(PolyhedronSphereKernel, AgreesWithThePlainOneOnEveryTarget) {
         SCOPED_TRACE(target + ", " + shape.name + ", " + std::to_string(count));
         Group g({&shape, 0.02 * double(count), Vec3(1, 2, 3), random_turn(draw)}, count);
         place_spheres(g, draw);
-        const std::size_t touches = choose_polyhedron_sphere().touch(g.view);
+        const std::size_t touches = g.find();
         std::size_t positive = 0;
         for (std::size_t k = 0; k < count; ++k) {
-          positive += g.out[3][k] > 0 ? 1 : 0;
+          positive += g.out[k].overlap > 0 ? 1 : 0;
           expect_same(g, k, sine);
         }
         EXPECT_EQ(touches, positive);
+        Group none_open(g.pose, count, Open::kNone);
+        for (std::size_t c = 0; c < 4; ++c) {
+          std::copy(g.in[c].begin(), g.in[c].end(), none_open.in[c].begin());
+        }
+        EXPECT_EQ(none_open.find(), positive);
         touching += positive;
         apart += count - positive;
         if (testing::Test::HasFailure()) return;
@@ -375,14 +414,14 @@ TEST(PolyhedronSphereKernel, TakesAFaceNormalWhereTheCentreIsOnTheSurface) {
         for (int a = 0; a < 3; ++a) g.in[a][k] = center[a];
         g.in[3][k] = 1;
       }
-      EXPECT_EQ(choose_polyhedron_sphere().touch(g.view), g.view.count);
+      EXPECT_EQ(g.find(), g.view.count);
       for (std::size_t k = 0; k < g.view.count; ++k) {
         double closest = 2;
         for (std::size_t f = 0; f < shape.faces; ++f) {
           closest = std::min(closest, (g.normal(k) - shape.normal(f)).norm());
         }
         EXPECT_LE(closest, 4 * kUnit);
-        EXPECT_NEAR(g.out[3][k], 1, 1e-12);
+        EXPECT_NEAR(g.out[k].overlap, 1, 1e-12);
       }
     }
   });
@@ -396,21 +435,18 @@ TEST(PolyhedronSphereKernel, GivesASphereTheSameBitsInAnyPlaceOfAnyGroup) {
     std::mt19937 draw(6);
     for (const Shape& shape : shapes) {
       SCOPED_TRACE(target + ", " + shape.name);
-      Group all({&shape, 0.3, Vec3::Zero(), random_turn(draw)}, 133);
+      Group all({&shape, 0.3, Vec3::Zero(), random_turn(draw)}, 133, Open::kEveryThird);
       place_spheres(all, draw);
       for (std::size_t k = 133; k < all.in[3].size(); ++k) all.in[3][k] = 1;
-      const std::size_t touching = choose_polyhedron_sphere().touch(all.view);
+      const std::size_t touching = all.find();
       std::size_t one_by_one = 0;
       for (std::size_t k = 0; k < 133; ++k) {
-        Group one(all.view.pose, 1);
+        Group one(all.pose, 1, all.is_open(k) ? Open::kAll : Open::kNone);
         for (std::size_t c = 0; c < 4; ++c) one.in[c][0] = all.in[c][k];
-        one_by_one += choose_polyhedron_sphere().touch(one.view);
-        for (std::size_t c = 0; c < 7; ++c) {
-          EXPECT_EQ(std::memcmp(&one.out[c][0], &all.out[c][k], sizeof(double)), 0) << k;
-        }
+        one_by_one += one.find();
+        EXPECT_EQ(std::memcmp(&one.out[0], &all.out[k], sizeof(NearTouch)), 0) << k;
       }
       EXPECT_EQ(touching, one_by_one);
-      for (std::size_t k = 133; k < all.out[3].size(); ++k) EXPECT_LE(all.out[3][k], 0);
     }
   });
 }

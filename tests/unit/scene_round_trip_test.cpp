@@ -189,6 +189,7 @@ void expect_same(const Scene& a, const Scene& b) {
   EXPECT_EQ(a.output.series_every, b.output.series_every);
   EXPECT_EQ(a.output.frames_every, b.output.frames_every);
   EXPECT_EQ(a.output.checkpoint_every, b.output.checkpoint_every);
+  EXPECT_EQ(a.record.collisions, b.record.collisions);
   EXPECT_EQ(a.record.charge_shape, b.record.charge_shape);
   EXPECT_EQ(a.record.snapshots_every, b.record.snapshots_every);
   EXPECT_EQ(a.record.cell_angle, b.record.cell_angle);
@@ -418,6 +419,7 @@ frames_every = "70 ms"
 checkpoint_every = "5 min"
 [record]
 charge_shape = true
+collisions = true
 snapshots_every = "20 ms"
 cell_angle = "3 deg"
 cell_width = "4 mm"

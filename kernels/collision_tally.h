@@ -1,0 +1,46 @@
+// CollisionTally: what the contacts of a tile, or of a stretch of polyhedra, tell of their
+// collisions in one step. Tiles fill theirs side by side; they are added to World's Collisions in
+// order, so that sums do not depend on threads.
+#pragma once
+
+#include <vector>
+
+#include "soa/collisions.h"
+#include "soa/groups.h"
+
+namespace quern {
+
+// The bin of an energy; NaN is below all.
+std::size_t energy_bin(double energy) noexcept;
+// J, lower edge of a bin; 0 of the first.
+double energy_bin_from(std::size_t bin) noexcept;
+
+class CollisionTally {
+ public:
+  // `groups` outlives what is told until the next reset.
+  void reset(const Groups& groups) {
+    groups_ = &groups;
+    kinds_.assign(groups.kinds(), ContactEnergies());
+    ended_.clear();
+    begun_.clear();
+  }
+  const Groups& groups() const { return *groups_; }
+  void add(std::size_t kind, const ContactEnergies& energies) { kinds_[kind].add(energies); }
+  void begin_episode(std::size_t kind, double impact);
+  void end_episode(std::size_t kind, double dissipated, double approach);
+
+  // To the sums of now: the opening step sets the energies of the springs and counts nothing.
+  void add_to(Collisions& all) const;
+
+ private:
+  struct Binned {
+    std::uint32_t kind;
+    std::uint16_t bin, approach_bin;
+    double energy, approach;  // J
+  };
+  const Groups* groups_ = nullptr;
+  std::vector<ContactEnergies> kinds_;
+  std::vector<Binned> ended_, begun_;
+};
+
+}  // namespace quern
