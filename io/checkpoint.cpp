@@ -93,6 +93,11 @@ class Reader final : public StateVisitor {
     if (file_.exists(kState + "/" + name)) values(name, unit, type, data, count);
   }
 
+  void later_column(const char* name, const char* unit, ColumnBase& all,
+                    std::size_t components) override {
+    if (file_.exists(kState + "/" + name)) column(name, unit, all, components);
+  }
+
   // Everything in the file must have been asked for.
   void finish() const {
     for (const std::string& name : file_.datasets(kState)) {

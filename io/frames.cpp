@@ -171,6 +171,10 @@ void write_liner(const std::string& path, const WallFrame& frame, double time) {
   file.cells(kVtkTriangle, frame.vertex.size() / 3, corners, 3);
   file.array("CellData/wall", frame.wall, "1");
   file.array("CellData/speed", frame.speed, "m/s");
+  for (const WallFrame::Field& field : frame.fields) {
+    QUERN_CHECK(field.value.size() == k);
+    file.array("CellData/" + field.name, field.value, field.unit.c_str());
+  }
   file.finish();
 }
 

@@ -405,6 +405,24 @@ void check_record_table(const SceneCheck& check) {
                           format_number(record.cell_width)));
 }
 
+// A flow pressure for each wall.
+void check_wear(const SceneCheck& check) {
+  const Scene& scene = check.scene;
+  if (!scene.wear || scene.wear->flow_pressure || !check.good({"wear", "wear.flow_pressure"}))
+    return;
+  std::vector<std::string> told;
+  for (const std::string& name : wall_materials(check.draft)) {
+    if (std::find(told.begin(), told.end(), name) != told.end()) continue;
+    told.push_back(name);
+    for (const Material& material : scene.materials)
+      if (material.name == name && material.hardness <= 0 &&
+          check.good({"materials." + name + ".hardness"}))
+        check.error("wear", fmt::format("[wear] needs the hardness of the walls: give "
+                                        "materials.{}.hardness, or 'flow_pressure' here",
+                                        name));
+  }
+}
+
 }  // namespace
 
 void check_scene(SceneDraft& draft, ReadContext& context) {
@@ -423,6 +441,7 @@ void check_scene(SceneDraft& draft, ReadContext& context) {
   check_fill(check);
   check_groups(check);
   check_record_table(check);
+  check_wear(check);
 }
 
 }  // namespace quern

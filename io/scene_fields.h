@@ -48,6 +48,7 @@ inline constexpr const char* kLawWords[] = {"linear-spring-dashpot"};
 inline constexpr const char* kShapeWords[] = {"sphere", "polyhedron"};
 inline constexpr const char* kOverlapWords[] = {"chord", "width"};
 inline constexpr const char* kNormalModelWords[] = {"stiffness", "volume"};
+inline constexpr const char* kWearVelocityWords[] = {"liner", "absolute"};
 
 inline Words words_of(Precision) { return kPrecisionWords; }
 inline Words words_of(NormalForce) { return kNormalForceWords; }
@@ -60,6 +61,7 @@ inline Words words_of(WallKind) { return kWallWords; }
 inline Words words_of(ShapeKind) { return kShapeWords; }
 inline Words words_of(OverlapMeasure) { return kOverlapWords; }
 inline Words words_of(NormalModel) { return kNormalModelWords; }
+inline Words words_of(WearVelocity) { return kWearVelocityWords; }
 
 // Any of [[walls]], before it is sorted by kind.
 struct WallSpec {
@@ -69,9 +71,8 @@ struct WallSpec {
   std::optional<double> scale;
   std::optional<Vec3> point, normal, low, high;
   std::optional<bool> open_top;
-  std::string material;
+  std::string material, group = "liner";
   Motion motion;
-  std::string group = "liner";
 };
 
 struct SceneDraft {
@@ -413,6 +414,34 @@ void fields(Io& io, RecordSpec& record) {
 }
 
 template <class Io>
+void fields(Io& io, WearSpec& wear) {
+  using enum Dimension;
+  io({"cell_size", "of the cells of walls; 0: a fifth of a lifter's top, or from the walls' area",
+      kLength, Range::kNotNegative},
+     wear.cell_size);
+  io({"velocity", "of the particle in the rule of braking: from the liner, or absolute"},
+     wear.velocity);
+  io({"flow_pressure", "of the walls; default: 1.5 times the hardness of their materials",
+      kPressure, Range::kPositive},
+     wear.flow_pressure);
+  io({"siem_factor", "calibration of wear by shear impact energy", kNumber, Range::kPositive},
+     wear.siem_factor);
+  io({"archard_factor", "calibration of wear by Archard", kNumber, Range::kPositive},
+     wear.archard_factor);
+  io({"finnie_factor", "calibration of wear by Finnie: his share of particles that cut", kNumber,
+      Range::kPositive},
+     wear.finnie_factor);
+  io({"archard_coefficient", "k of k F s / H; 0: no wear by Archard", kNumber,
+      Range::kNotNegative},
+     wear.archard_coefficient);
+  io({"finnie_depth_ratio", "psi: length of contact over depth of cut", kNumber, Range::kPositive},
+     wear.finnie_depth_ratio);
+  io({"finnie_force_ratio", "K: normal over tangential force of a particle that cuts", kNumber,
+      Range::kPositive},
+     wear.finnie_force_ratio);
+}
+
+template <class Io>
 void fields(Io& io, SceneDraft& draft) {
   io({"format", "version of the scene format"}, draft.format);
   io({"folder", "where relative paths start; default: the scene's own folder"}, draft.scene.folder);
@@ -426,6 +455,7 @@ void fields(Io& io, SceneDraft& draft) {
   io.tables({"particles", "a species"}, draft.scene.particles);
   io.table({"output", "what is written when"}, draft.scene.output);
   io.table({"record", "what is worked out of the recorded window"}, draft.scene.record);
+  io.table({"wear", "wear of walls, over the recorded window"}, draft.scene.wear);
 }
 
 }  // namespace quern

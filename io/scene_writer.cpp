@@ -336,8 +336,8 @@ SceneDraft draft_of(const Scene& scene) {
                            {},
                            {},
                            mesh.material,
-                           mesh.motion,
-                           mesh.group});
+                           mesh.group,
+                           mesh.motion});
   for (const PlaneSpec& plane : scene.planes)
     draft.walls.push_back({plane.name,
                            WallKind::kPlane,
@@ -349,8 +349,8 @@ SceneDraft draft_of(const Scene& scene) {
                            {},
                            {},
                            plane.material,
-                           plane.motion,
-                           plane.group});
+                           plane.group,
+                           plane.motion});
   for (const BoxSpec& box : scene.boxes)
     draft.walls.push_back({box.name,
                            WallKind::kBox,
@@ -362,8 +362,8 @@ SceneDraft draft_of(const Scene& scene) {
                            box.high,
                            box.open_top,
                            box.material,
-                           box.motion,
-                           box.group});
+                           box.group,
+                           box.motion});
   return draft;
 }
 

@@ -10,9 +10,6 @@
 namespace quern {
 namespace {
 
-// Keys of the scene format that later versions read.
-constexpr const char* kLaterKeys[] = {"wear"};
-
 // "particles[2].sizes[0]" -> "particles.sizes"
 std::string without_indices(const std::string& path) {
   std::string plain;
@@ -412,12 +409,6 @@ void TableReader::named(const Key& key, std::vector<Material>& value) {
 // Reports an unknown key; true if it is likely a misspelt required one.
 bool TableReader::spell_out(const Entry& entry) {
   const std::string plain = without_indices(path_.empty() ? entry.key : path_ + "." + entry.key);
-  for (const char* later : kLaterKeys)
-    if (plain == later) {
-      context_.messages.error(entry.key_place,
-                              fmt::format("'{}' is not available in this version", entry.key));
-      return false;
-    }
   const std::string meant = closest(entry.key, asked_);
   std::string hint = meant.empty() ? "" : fmt::format(" - did you mean '{}'?", meant);
   if (meant.empty()) {

@@ -17,6 +17,7 @@
 #include "kernels/collision_tally.h"
 #include "kernels/pairs/polyhedron_facet.h"
 #include "kernels/wall_collisions.h"
+#include "kernels/wear.h"
 #include "soa/world.h"
 
 namespace quern {
@@ -111,6 +112,8 @@ class PolyhedronContacts {
   void collect_pairs(World<Real>& world, BodyTable& table, std::size_t first, std::size_t last);
   void collect_walls(World<Real>& world, BodyTable& table, std::size_t first, std::size_t last);
   BodyContacts view();
+  // Before finish(), of walls only: appends what they wear.
+  void list_wear(const World<Real>& world, const StepConstants<double>& step, WearList& list) const;
   // `walls` receives the open contacts with walls, by body. `collisions`: null unless recorded.
   void finish(World<Real>& world, const StepConstants<double>& step,
               std::vector<PolyhedronWall>& walls, std::span<WallTotal> totals,

@@ -19,7 +19,7 @@ constexpr std::size_t kRows = kEnergies + 4;
 
 // The touches of one particle with one body, in the world frame.
 struct Touches {
-  std::array<Index, kMaxWallTouches> wall, feature;
+  std::array<Index, kMaxWallTouches> wall, feature, facet;
   std::array<Vec3, kMaxWallTouches> normal, point;  // point: contact point, middle of the overlap
   std::array<double, kMaxWallTouches> overlap;
   std::size_t count = 0;
@@ -50,6 +50,7 @@ void find_touches(const Body& body, const Ball& ball, std::span<const Index> fac
     }
     out.wall[k] = t.wall;
     out.feature[k] = t.feature;
+    out.facet[k] = t.facet;
     out.normal[k] = turn * t.normal;
     out.overlap[k] = t.overlap;
     out.point[k] = contact_point(ball, out.normal[k], t.overlap);
@@ -59,8 +60,9 @@ void find_touches(const Body& body, const Ball& ball, std::span<const Index> fac
 template <class Real>
 void push_closing(const World<Real>& world, const WallSpring& spring, WallLanes& lanes) {
   const Wall& wall = world.walls[spring.wall];
-  lanes.push({spring.particle, spring.wall, spring.feature, spring.normal, spring.point, 0},
-             &spring, world.bodies[wall.body], world.clock.dt, wall.material);
+  lanes.push(
+      {spring.particle, spring.wall, spring.feature, kNoIndex, spring.normal, spring.point, 0},
+      &spring, world.bodies[wall.body], world.clock.dt, wall.material);
 }
 
 // Lanes for the contacts of one particle with one body; `old` are its open springs.
@@ -82,9 +84,9 @@ void push_contacts(const World<Real>& world, const Body& body, const Ball& ball,
       if (at < used.size()) used[at] = true;
       was = &old[at];
     }
-    lanes.push(
-        {ball.particle, now.wall[k], now.feature[k], now.normal[k], now.point[k], now.overlap[k]},
-        was, body, world.clock.dt, world.walls[now.wall[k]].material);
+    lanes.push({ball.particle, now.wall[k], now.feature[k], now.facet[k], now.normal[k],
+                now.point[k], now.overlap[k]},
+               was, body, world.clock.dt, world.walls[now.wall[k]].material);
   }
   for (std::size_t k = 0; k < old.size(); ++k) {
     if (k >= used.size() || !used[k]) push_closing(world, old[k], lanes);
@@ -101,9 +103,9 @@ bool push_known(const World<Real>& world, const Body& body, const Ball& ball, In
   if (old.wall != f.wall || old.feature != f.group) return false;
   const Vec3 normal = body.pose.rotation * f.normal;
   const double overlap = ball.radius - height;
-  lanes.push(
-      {ball.particle, f.wall, f.group, normal, contact_point(ball, normal, overlap), overlap}, &old,
-      body, world.clock.dt, world.walls[f.wall].material);
+  lanes.push({ball.particle, f.wall, f.group, facet, normal, contact_point(ball, normal, overlap),
+              overlap},
+             &old, body, world.clock.dt, world.walls[f.wall].material);
   return true;
 }
 
@@ -126,6 +128,7 @@ void WallLanes::push(const WallTouchNow& now, const WallSpring* old, const Body&
   particle_[k] = now.particle;
   wall_[k] = now.wall;
   feature_[k] = now.feature;
+  facet_[k] = now.facet;
   material_[k] = material;
   old_[k] = old;
   double* const lane = numbers_.data() + k;
@@ -179,6 +182,7 @@ void WallLanes::reserve(std::size_t n) {
   particle_.resize(wider);
   wall_.resize(wider);
   feature_.resize(wider);
+  facet_.resize(wider);
   old_.resize(wider);
   material_.resize(wider);
 }

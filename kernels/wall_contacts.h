@@ -27,6 +27,7 @@ struct KnownTouch {
 // What a contact is in this step.
 struct WallTouchNow {
   Index particle, wall, feature;
+  Index facet;  // one that the point is on; kNoIndex: not known, of a contact that closes
   Vec3 normal, point;
   double overlap;
 };
@@ -54,6 +55,7 @@ class WallLanes {
   WallSpring spring(std::size_t k) const;
   Index wall(std::size_t k) const { return wall_[k]; }
   Vec3 point(std::size_t k) const;  // m
+  Index facet(std::size_t k) const { return facet_[k]; }
   // The spring that it goes on from, of those that were collected from, or null.
   const WallSpring* old(std::size_t k) const { return old_[k]; }
   bool is_open(std::size_t k) const { return numbers_[3 * stride_ + k] > 0; }
@@ -61,8 +63,8 @@ class WallLanes {
  private:
   void reserve(std::size_t n);
 
-  std::vector<double> numbers_;  // kGeometry + 10 rows of `stride_`, then three of contact points
-  std::vector<Index> particle_, wall_, feature_;
+  std::vector<double> numbers_;  // kGeometry + 10 rows of `stride_`, three of points, four of energies
+  std::vector<Index> particle_, wall_, feature_, facet_;
   std::vector<const WallSpring*> old_;
   std::vector<std::uint32_t> material_;
   std::size_t size_ = 0, stride_ = 0;

@@ -88,8 +88,10 @@ void BodyStepper<Real>::run_stretch(std::size_t stretch, int worker, BusyTimes& 
   const std::size_t first = stretch * kStretch;
   const std::size_t last = std::min(first + kStretch, world_.polyhedra.size());
   Stretch& s = stretches_[stretch];
+  s.wear.entries.clear();
   const auto push = [&] {
     kernels_.push_bodies(constants_, contacts.view());
+    if (world_.wear.records()) contacts.list_wear(world_, constants_, s.wear);
     contacts.finish(world_, constants_, s.walls, s.totals, s.tally,
                     world_.collisions.on() ? &s.collisions : nullptr);
   };
@@ -327,6 +329,11 @@ Fallbacks BodyStepper<Real>::fallbacks() const {
   Fallbacks sum;
   for (const Stretch& s : stretches_) sum.add(s.tally.fallbacks);
   return sum;
+}
+
+template <class Real>
+void BodyStepper<Real>::add_wear() {
+  for (const Stretch& s : stretches_) world_.wear.add(s.wear.entries);
 }
 
 template class BodyStepper<float>;

@@ -45,6 +45,7 @@ class BodyStepper {
               std::vector<WallTotal>& totals) const;
   void add_collisions(Collisions& all, double dt) const;  // while they are recorded, likewise
   Fallbacks fallbacks() const;  // of this step
+  void add_wear();              // what the stretches have listed, likewise
 
  private:
   struct Worker {
@@ -58,6 +59,7 @@ class BodyStepper {
     PolyhedronTally tally;
     PolyhedronCollisions collisions;
     MoveTally move;
+    WearList wear;
   };
   GroupLanes lanes_for(std::size_t count, Worker& worker) const;
   void sum_forces(std::size_t body, Vec3& force, Vec3& torque, double& contacts) const;

@@ -7,6 +7,7 @@
 #include "kernels/laws/damping.h"
 #include "kernels/rotate.h"
 #include "scheduler/phases.h"
+#include "scheduler/wear_setup.h"
 
 namespace quern {
 
@@ -456,6 +457,7 @@ World<Real> make_world(const Scene& scene, SceneGeometry geometry,
   world.pairs.rolling = world.rolling;
   set_law(world, scene, {});
   append_particles(world, scene, present);
+  set_wear(world, scene);
   return world;
 }
 

@@ -57,6 +57,7 @@ void Stepper<Real>::prepare() {
   tile_totals_.resize(world_.tiles());
   tile_walls_.resize(world_.tiles() * world_.walls.size());
   known_touches_.resize(world_.tiles());
+  if (world_.wear.records()) tile_wear_.resize(world_.tiles());
   if (world_.collisions.on()) tile_collisions_.resize(world_.tiles());
   world_.wall_totals.resize(world_.walls.size());
 }
@@ -79,6 +80,8 @@ void Stepper<Real>::run_walls(std::size_t tile, Worker& worker, const TileRows& 
   const std::span<WallTotal> totals(tile_walls_.data() + tile * world_.walls.size(),
                                     world_.walls.size());
   std::fill(totals.begin(), totals.end(), WallTotal());
+  const bool wears = world_.wear.records();
+  if (wears) tile_wear_[tile].entries.clear();
   const std::size_t entries = walls.candidates.particle.size();
   std::vector<KnownTouch>& known = known_touches_[tile];
   const bool fresh_lists = world_.clock.list_step == world_.clock.total_steps;
@@ -90,6 +93,7 @@ void Stepper<Real>::run_walls(std::size_t tile, Worker& worker, const TileRows& 
   const Particles<Real>& p = world_.particles;
   kernels_.walls(wall_constants_, {p.record.data(), p.traits.data()}, contacts, rows,
                  tile_totals_[tile].walls);
+  if (wears) list_wear(world_, contacts, worker.lanes, tile_wear_[tile]);
   if (collisions != nullptr) {
     record_wall_contacts(world_, contacts, worker.lanes, walls, *collisions);
   }
@@ -232,6 +236,15 @@ void Stepper<Real>::add_tiles() {
   world_.totals = sum;
 }
 
+// What the tiles and then the stretches of polyhedra have listed, each in order.
+template <class Real>
+void Stepper<Real>::add_wear() {
+  if (!world_.wear.records()) return;
+  for (const WearList& list : tile_wear_) world_.wear.add(list.entries);
+  if (bodies_) bodies_->add_wear();
+  world_.wear.time[0] += world_.clock.dt;
+}
+
 // Books the step that has just been evaluated, see "Ledger" in scheduler/README.md.
 template <class Real>
 void Stepper<Real>::account() {
@@ -362,6 +375,7 @@ StepReport Stepper<Real>::step() {
   std::swap(world_.particles.record, world_.particles.record_next);
   std::swap(world_.particles.traits, world_.particles.traits_next);
   add_tiles();
+  add_wear();
   account();
   if (world_.collisions.on()) account_collisions();
   StepReport report = judge();

@@ -13,6 +13,7 @@
 #include "kernels/contact.h"
 #include "kernels/tile_pairs.h"
 #include "kernels/wall_contacts.h"
+#include "kernels/wear.h"
 #include "scheduler/graph.h"
 #include "scheduler/polyhedron_step.h"
 #include "scheduler/rebuild.h"
@@ -56,6 +57,7 @@ class Stepper {
                  CollisionTally* collisions);
   void run_tasks(bool rebuilt);
   void add_tiles();
+  void add_wear();
   void account();
   void account_collisions();
   StepReport judge() const;
@@ -72,6 +74,7 @@ class Stepper {
   std::vector<Worker> workers_;
   std::vector<TileTotals> tile_totals_;
   std::vector<WallTotal> tile_walls_;  // tiles x walls
+  std::vector<WearList> tile_wear_;    // where wear is recorded
   std::vector<CollisionTally> tile_collisions_;  // while they are recorded
   std::vector<std::vector<KnownTouch>> known_touches_;  // of each tile's candidates for walls
   std::optional<BodyStepper<Real>> bodies_;

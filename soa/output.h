@@ -43,10 +43,15 @@ struct PolyhedronFrame {
 
 // The walls at the same moment, in the world frame.
 struct WallFrame {
+  struct Field {  // of each triangle
+    std::string name, unit;
+    std::vector<float> value;
+  };
   std::vector<float> vertex;            // m x 3
   std::vector<std::uint32_t> triangle;  // k x 3
   std::vector<std::uint16_t> wall;      // k: row of World's walls
   std::vector<float> speed;             // k: of the triangle's centre, m/s
+  std::vector<Field> fields = {};       // more
 };
 
 // One body alone, with the face that each of its triangles belongs to.

@@ -240,6 +240,19 @@ struct RecordSpec {
   std::vector<ZoneSpec> zones;
 };
 
+// Whose velocity says whether friction brakes a particle or its spin drives it.
+enum class WearVelocity { kLiner, kAbsolute };
+
+// Wear of walls, by four models at once from what contacts do; kernels/README.md has them.
+struct WearSpec {
+  double cell_size = 0;  // m, of the cells of walls; 0: chosen from the walls
+  WearVelocity velocity = WearVelocity::kLiner;
+  std::optional<double> flow_pressure;  // Pa, of walls; default: 1.5 hardness of each wall's material
+  double siem_factor = 1, archard_factor = 1, finnie_factor = 1;  // calibration
+  double archard_coefficient = 0;  // k of k F s / H; 0: not given, no figures by Archard
+  double finnie_depth_ratio = 2, finnie_force_ratio = 2;  // psi, K
+};
+
 struct Scene {
   RunSpec run;
   DomainSpec domain;
@@ -253,6 +266,7 @@ struct Scene {
   std::vector<ParticleSpec> particles;
   OutputSpec output;
   RecordSpec record;
+  std::optional<WearSpec> wear;
   std::string text;      // the scene as read, for provenance
   std::string folder;    // relative paths start here
 };

@@ -17,6 +17,12 @@ class StateVisitor {
   // A fixed-size block of numbers outside columns.
   virtual void values(const char* name, const char* unit, ElementType type, void* data,
                       std::size_t count) = 0;
+  // A column that only some scenes have: not written while empty, and left as it is where the state
+  // that is read lacks it.
+  virtual void later_column(const char* name, const char* unit, ColumnBase& all,
+                            std::size_t components) {
+    if (!all.empty()) column(name, unit, all, components);
+  }
   // One that states written by earlier versions lack: it then stays as it is.
   virtual void later_values(const char* name, const char* unit, ElementType type, void* data,
                             std::size_t count) {

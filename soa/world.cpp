@@ -126,6 +126,10 @@ void World<Real>::visit(StateVisitor& v) {
     std::memcpy(static_cast<void*>(wall_totals.data()), wall_numbers.data(),
                 wall_totals.size() * sizeof(WallTotal));
   }
+  v.later_column("wear/cells", "J, N m, N s", wear.cells, kWearSums);
+  v.later_column("wear/walls", "J, N m, N s", wear.walls, kWearSums);
+  v.later_column("wear/species", "J, N m, N s", wear.species, kWearSums);
+  v.later_column("wear/time", "s", wear.time, 1);
 }
 
 template struct World<float>;

@@ -20,6 +20,7 @@
 #include "soa/report.h"
 #include "soa/size_classes.h"
 #include "soa/wall_spring.h"
+#include "soa/wear.h"
 
 namespace quern {
 
@@ -148,6 +149,7 @@ struct World {
   Ledger ledger;
   Window window;
   Clock clock;
+  Wear wear;
   Collisions collisions;
 
   std::size_t bodies_of_charge() const { return particles.size() + polyhedra.size(); }

@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/quern/wear_recorder.h"
 #include "io/scene_reader.h"
 #include "io/statistics.h"
 #include "kernels/contact.h"
 #include "scheduler/phases.h"
 #include "scheduler/snapshot.h"
+#include "scheduler/wear_frame.h"
 #include "soa/hash.h"
 
 namespace quern {
@@ -165,7 +167,8 @@ void Recorder::after_step(World<Real>& world) {
     world.window = Window();
   }
   if (frame_steps_ > 0 && step % frame_steps_ == 0) {
-    frames_->write(static_cast<int>(step / frame_steps_), particle_frame(world), wall_frame(world),
+    frames_->write(static_cast<int>(step / frame_steps_), particle_frame(world),
+                   world.wear.asked() ? wear_frame(world, scene_) : wall_frame(world),
                    polyhedron_frame(world));
   }
   if (snapshots_ && snapshots_->due(step)) take_snapshots(world);
@@ -265,6 +268,7 @@ void Recorder::write_summary(World<Real>& world, const RunFigures& figures) {
     charge_->finish(world.clock.step, f, series_, s);
     charge_->write_picture(folder_ + "/charge_shape.svg");
   }
+  if (world.wear.asked()) wear_line_ = write_wear(world, scene_, series_, s);
   s.set("threads", figures.threads);
   s.set("simd_target", figures.simd_target);
   s.set("precision", precision_name(scene_));

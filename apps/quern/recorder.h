@@ -40,6 +40,7 @@ class Recorder {
   // Before a step of the run phase: recording may begin.
   template <class Real>
   void before_step(World<Real>& world) const {
+    world.wear.recording = world.clock.step >= first_step_;
     if (!world.collisions_asked.any() || world.clock.step + 1 < first_step_) return;
     if (!world.collisions.on()) world.begin_recording();
     if (!snapshots_) return;
@@ -66,6 +67,7 @@ class Recorder {
   double recorded_power() const { return recorded_power_; }  // after write_summary()
   const std::optional<ChargeRecorder>& charge() const { return charge_; }
   const WindowLines& window_lines() const { return window_lines_; }  // after write_summary()
+  const std::string& wear_line() const { return wear_line_; }  // likewise; empty: not asked
 
  private:
   template <class Real>
@@ -91,6 +93,7 @@ class Recorder {
   std::optional<ClassRecorder> classes_;
   WindowLines window_lines_;
   double last_power_ = 0, recorded_power_ = 0;
+  std::string wear_line_;
 };
 
 const char* precision_name(const Scene& scene);

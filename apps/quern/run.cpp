@@ -234,6 +234,7 @@ class Run {
     const WindowLines& window = recorder_->window_lines();
     if (!window.warning.empty()) log_warn(window.warning);
     log_info("steadiness   " + window.steady);
+    if (!recorder_->wear_line().empty()) log_info("wear         " + recorder_->wear_line());
     const Ledger& l = world_.ledger;
     if (std::isfinite(recorder_->recorded_power())) {
       log_info(fmt::format("power        {} (torque, energies and their errors in summary.json)",

@@ -91,6 +91,7 @@ Start<Real>::Start(LoadedScene from, const std::string& checkpoint, Say say)
     start_from(start_path(scene));
   } else {
     read_checkpoint(checkpoint, [&](StateVisitor& v) { world.visit(v); });
+    if (!world.wear.fits()) throw UserError(checkpoint + ": its wear is of other cells");
     warn_of_target<Real>(read_checkpoint_header(checkpoint));
     count_mass(world);
   }
@@ -201,6 +202,7 @@ void Start<Real>::restart_clock() {
   if (slack) world.clock.slack = *slack;
   world.ledger = Ledger();
   world.window = Window();
+  world.wear.clear(world.walls.size(), loaded.scene.particles.size());
 }
 
 template <class Real>

@@ -171,6 +171,7 @@ WallTouch touch_of(const Reports& reports, const Report& report, const Vec3& cen
   touch.point = center + report.offset;
   touch.feature = report.feature;
   touch.wall = report.facet->wall;
+  touch.facet = report.triangle;
   touch.nearest = true;
   for (const Report& other : reports) {
     if (other.facet->wall == touch.wall) {

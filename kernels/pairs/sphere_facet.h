@@ -21,6 +21,7 @@ struct WallTouch {
   Vec3 point;      // closest point of the wall (body frame)
   Index feature;   // see soa/facets.h
   Index wall;
+  Index facet;   // one that the point is on
   bool nearest;  // of its wall
   bool behind;   // the centre is on the back of the wall here; the normal then points to the back
 };

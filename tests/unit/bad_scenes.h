@@ -112,11 +112,11 @@ inline const BadScene kBadScenes[] = {
      R"(length = "40 mm"
 seed = 3)",
      {R"~(30:1: error: unknown key 'seed' here - it is 'run.seed')~"}},
-    {"KeyOfALaterVersion",
+    {"WearWithoutHardness",
      "format = 1",
      R"(format = 1
-wear = { model = "SIEM" })",
-     {R"~(2:1: error: 'wear' is not available in this version)~"}},
+wear = { velocity = "liner" })",
+     {R"~(2:8: error: [wear] needs the hardness of the walls: give materials.steel.hardness, or 'flow_pressure' here)~"}},
     {"UnknownMaterial",
      R"([mill]
 material = "steel")",

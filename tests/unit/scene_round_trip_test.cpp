@@ -203,6 +203,17 @@ void expect_same(const Scene& a, const Scene& b) {
     EXPECT_EQ(a.record.zones[i].angle_from, b.record.zones[i].angle_from);
     EXPECT_EQ(a.record.zones[i].angle_to, b.record.zones[i].angle_to);
   }
+  ASSERT_EQ(a.wear.has_value(), b.wear.has_value());
+  if (!a.wear) return;
+  EXPECT_EQ(a.wear->cell_size, b.wear->cell_size);
+  EXPECT_EQ(a.wear->velocity, b.wear->velocity);
+  EXPECT_EQ(a.wear->flow_pressure, b.wear->flow_pressure);
+  EXPECT_EQ(a.wear->siem_factor, b.wear->siem_factor);
+  EXPECT_EQ(a.wear->archard_factor, b.wear->archard_factor);
+  EXPECT_EQ(a.wear->finnie_factor, b.wear->finnie_factor);
+  EXPECT_EQ(a.wear->archard_coefficient, b.wear->archard_coefficient);
+  EXPECT_EQ(a.wear->finnie_depth_ratio, b.wear->finnie_depth_ratio);
+  EXPECT_EQ(a.wear->finnie_force_ratio, b.wear->finnie_force_ratio);
 }
 
 // Written, read from another folder, and written again.
@@ -430,6 +441,16 @@ angle_from = "205 deg"
 angle_to = "245 deg"
 [[record.zones]]
 angle_to = "90 deg"
+[wear]
+cell_size = "7 mm"
+velocity = "absolute"
+flow_pressure = "5 GPa"
+siem_factor = 1.1
+archard_factor = 1.2
+finnie_factor = 1.3
+archard_coefficient = 0.004
+finnie_depth_ratio = 3
+finnie_force_ratio = 4
 )";
 
 TEST(SceneReader, ReadsEveryKeyAndWritesItBack) {
