@@ -70,7 +70,11 @@ export class Viewer {
     const { low, high } = this.run.view;
     const mill = this.run.scene?.mill;
     const span = new THREE.Vector3(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
-    this.stage = new Stage(this.host, mill ? 0.5 * mill.diameter : 0.6 * span.length());
+    this.stage = new Stage(
+      this.host,
+      mill ? 0.5 * mill.diameter : 0.6 * span.length(),
+      this.frames.count < 10000,
+    );
     this.lookup = new THREE.DataTexture(new Uint8Array(viridis), 256, 1);
     this.lookup.colorSpace = THREE.NoColorSpace;
     this.particles = new Particles(this.frames, this.lookup);
