@@ -42,7 +42,9 @@ int dispatch(int argc, char** argv) {
 
   quern::ReportCommand report_options;
   CLI::App* report = app.add_subcommand("report", "the page of a run, of one that goes on too");
-  report->add_option("folder", report_options.folders, "folder of the run")->required()->expected(1);
+  report->add_option("folder", report_options.folders, "folder of the run")
+      ->required()
+      ->expected(1);
   report->add_option("--out", report_options.out, "the page")->default_str("<folder>/report.html");
 
   CLI::App* compare = app.add_subcommand("compare", "one page of several runs side by side");

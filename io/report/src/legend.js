@@ -3,10 +3,10 @@ import { KINDS, cssGradient } from "./colours.js";
 import { el } from "./dom.js";
 import { labelled, number } from "./format.js";
 
-export function colourBar(label, unit, low, high, lookup) {
+// `middle`: the value in the middle of the bar, where the scale is not even.
+export function colourBar(label, unit, low, high, lookup, middle = 0.5 * (low + high)) {
   const bar = el("div", { class: "bar-colours" });
   bar.style.backgroundImage = cssGradient(lookup);
-  const middle = 0.5 * (low + high);
   return el(
     "div",
     {

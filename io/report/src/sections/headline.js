@@ -76,7 +76,9 @@ function subtitle(run) {
     particles
       ? `${count(particles)} particles${s.polyhedra ? `, ${count(s.polyhedra)} of them polyhedra` : ""}`
       : "",
-    `recorded from ${plain(run.recordFrom)} s to ${plain(run.endTime)} s`,
+    run.endTime > run.recordFrom
+      ? `recorded from ${plain(run.recordFrom)} s to ${plain(run.endTime)} s`
+      : `nothing recorded yet, the record starts at ${plain(run.recordFrom)} s`,
   ].filter(Boolean);
   const [grade, state] = stateOf(run);
   return [

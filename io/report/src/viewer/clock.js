@@ -33,6 +33,7 @@ export class Clock {
     ]);
     this.radii = [Math.min(...sizes), Math.max(...sizes)];
     for (const viewer of this.viewers) await viewer.start();
+    for (const viewer of this.viewers) viewer.stage.finish();
   }
 
   // The largest "speed" or "spin" of all runs.

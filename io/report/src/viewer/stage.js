@@ -4,9 +4,10 @@ import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { css, onTheme } from "../theme.js";
 
 export class Stage {
-  constructor(host, size) {
+  // `fine`: with smooth edges, which cost much where there is no graphics card.
+  constructor(host, size, fine) {
     this.size = size; // m, half of what is to be seen
-    this.renderer = new THREE.WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
+    this.renderer = new THREE.WebGLRenderer({ antialias: fine, preserveDrawingBuffer: true });
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.canvas = this.renderer.domElement;
     host.append(this.canvas);
@@ -58,6 +59,12 @@ export class Stage {
       this.waiting = false;
       this.drawNow();
     });
+  }
+
+  // Returns when the picture is there.
+  finish() {
+    const gl = this.renderer.getContext();
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
   }
 
   drawNow() {

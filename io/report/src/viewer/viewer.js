@@ -38,6 +38,10 @@ function rescaled(bytes, own, all) {
   return bytes.map((q) => Math.round(factor * Math.min(q, 254)));
 }
 
+const rootBar = (label, unit, most) => colourBar(`${label}, root scale`, unit, 0, most, viridis, most / 4);
+const logBar = (label, unit, low, high) =>
+  colourBar(`${label}, log scale`, unit, low, high, viridis, Math.sqrt(low * high));
+
 export class Viewer {
   constructor(run, clock) {
     this.run = run;
@@ -70,7 +74,11 @@ export class Viewer {
     const { low, high } = this.run.view;
     const mill = this.run.scene?.mill;
     const span = new THREE.Vector3(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
-    this.stage = new Stage(this.host, mill ? 0.5 * mill.diameter : 0.6 * span.length());
+    this.stage = new Stage(
+      this.host,
+      mill ? 0.5 * mill.diameter : 0.6 * span.length(),
+      this.frames.count < 10000,
+    );
     this.lookup = new THREE.DataTexture(new Uint8Array(viridis), 256, 1);
     this.lookup.colorSpace = THREE.NoColorSpace;
     this.particles = new Particles(this.frames, this.lookup);
@@ -141,16 +149,9 @@ export class Viewer {
   paintLegend() {
     const { scene } = this.run;
     const bars = {
-      speed: () => colourBar("speed, root scale", "m/s", 0, this.clock.most("speed"), viridis),
-      spin: () => colourBar("spin, root scale", "rad/s", 0, this.clock.most("spin"), viridis),
-      size: () =>
-        colourBar(
-          "diameter, log scale",
-          "mm",
-          2000 * this.clock.radii[0],
-          2000 * this.clock.radii[1],
-          viridis,
-        ),
+      speed: () => rootBar("speed", "m/s", this.clock.most("speed")),
+      spin: () => rootBar("spin", "rad/s", this.clock.most("spin")),
+      size: () => logBar("diameter", "mm", ...this.clock.radii.map((r) => 2000 * r)),
       species: () => kindsLegend(this.groups),
       class: () => kindsLegend(classNames(scene)),
     };
