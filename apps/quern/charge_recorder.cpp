@@ -183,7 +183,9 @@ std::string ChargeRecorder::line() const {
   if (!std::isfinite(angles_.shoulder.value)) return "no snapshot of a bulk yet";
   const auto text = [](const AngleFigure& angle) {
     if (!std::isfinite(angle.value)) return std::string("none");
-    return fmt::format("{:.1f} +- {:.1f} deg", angle.value / kDegree, angle.error / kDegree);
+    const std::string value = fmt::format("{:.1f}", angle.value / kDegree);
+    if (!std::isfinite(angle.error)) return value + " deg";
+    return fmt::format("{} +- {:.1f} deg", value, angle.error / kDegree);
   };
   std::string line = fmt::format("shoulder {}, toe {}", text(angles_.shoulder), text(angles_.toe));
   if (angles_.liner_known) {

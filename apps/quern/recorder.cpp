@@ -246,7 +246,7 @@ void Recorder::write_summary(World<Real>& world, const RunFigures& figures) {
   s.set("steps_per_contact", figures.steps_per_contact);
   s.set("ledger_error", ledger_error(l));
   s.set("numerical_loss", numerical_loss_share(l));
-  write_records(world, s);
+  if (collisions_) collisions_->write(world, record_from_, series_, s);
   s.set("overlap_warnings", world.clock.warnings);
   if (!world.shapes.empty()) {
     s.set("contained_warnings", world.polyhedra.fallbacks.contained);

@@ -19,7 +19,7 @@
 
 namespace quern {
 
-struct RunFigures {  // of the program, not of the charge
+struct RunFigures {              // of the program, not of the charge
   double wall_seconds = 0;       // all of this process
   double step_seconds = 0;       // inside steps of the run phase
   std::uint64_t run_steps = 0;   // of the run phase, by this process
@@ -52,14 +52,9 @@ class Recorder {
   template <class Real>
   void after_step(World<Real>& world);
 
-  // With each checkpoint: what is worked out of the window so far, and a copy of the file.
-  template <class Real>
-  void keep(const World<Real>& world) {
-    Summary later;
-    write_records(world, later);
-    series_.keep();
-  }
+  void keep() const { series_.keep(); }  // with each checkpoint
 
+  // The figures and tables of the run so far; also before a checkpoint, so that a kill leaves them.
   template <class Real>
   void write_summary(World<Real>& world, const RunFigures& figures);
 
@@ -67,15 +62,11 @@ class Recorder {
   double recorded_power() const { return recorded_power_; }  // after write_summary()
   const std::optional<ChargeRecorder>& charge() const { return charge_; }
   const WindowLines& window_lines() const { return window_lines_; }  // after write_summary()
-  const std::string& wear_line() const { return wear_line_; }  // likewise; empty: not asked
+  const std::string& wear_line() const { return wear_line_; }        // likewise; empty: not asked
 
  private:
   template <class Real>
   void take_snapshots(const World<Real>& world);
-  template <class Real>
-  void write_records(const World<Real>& world, Summary& summary) {
-    if (collisions_) collisions_->write(world, record_from_, series_, summary);
-  }
   template <class Real>
   void write_tables(const World<Real>& world, const ParticleFrame& frame);
 

@@ -69,13 +69,13 @@ class Run {
       if (world_.clock.warnings < warnings) {
         log_warn(deep_line(warnings) + " while settling: a larger 'run.soft_stiffness' helps");
       }
-      if (run && row > 0 && world_.clock.step == 0) save(options_.out + "/settled");
+      if (run && row > 0 && world_.clock.step == 0) save(options_.out + "/settled", Tables::kLater);
       const bool stage = row > 0 && plan_[row].kind == plan_[row - 1].kind;
-      if (world_.clock.step == 0 && !stage) save(options_.out);
+      if (world_.clock.step == 0 && !stage) save(options_.out, Tables::kLater);
       fine = run_phase(plan_[row]);
       if (g_signal != 0 || stopped_) break;
     }
-    if (fine) save(options_.out);
+    if (fine) save(options_.out, Tables::kLater);
     return finish(fine);
   }
 
@@ -131,7 +131,7 @@ class Run {
       if (world_.clock.step % 32 != 0) continue;
       if (progress_.due()) progress_.show(line(phase, phase_started, first_step));
       const double every = loaded_.scene.output.checkpoint_every;
-      if (every > 0 && now() - last_checkpoint_ > every) save(options_.out);
+      if (every > 0 && now() - last_checkpoint_ > every) save(options_.out, Tables::kSoFar);
     }
     if (run) progress_.finish(line(phase, phase_started, first_step));
     return true;
@@ -165,7 +165,22 @@ class Run {
     return p;
   }
 
-  void save(const std::string& folder) {
+  // What a report needs if the run is killed; renewed where that takes a twentieth of the time at
+  // most.
+  void write_tables_so_far() {
+    constexpr double kShare = 0.05;
+    const double began = now();
+    if (plan_[world_.clock.phase].kind != Phase::kRun) return;
+    if (began - tables_written_ < tables_cost_ / kShare) return;
+    RunFigures figures = figures_;
+    set_machine(figures);
+    recorder_->write_summary(world_, figures);
+    tables_written_ = now();
+    tables_cost_ = tables_written_ - began;
+  }
+
+  enum class Tables { kSoFar, kLater };
+  void save(const std::string& folder, Tables tables) {
     make_folder("results", folder);
     CheckpointHeader header;
     header.scene_text = scene_to_toml(loaded_.scene);
@@ -175,7 +190,8 @@ class Run {
     header.version = QUERN_VERSION;
     header.time = world_.time();
     header.step = world_.clock.step;
-    if (recorder_) recorder_->keep(world_);
+    if (tables == Tables::kSoFar) write_tables_so_far();
+    if (recorder_) recorder_->keep();
     write_checkpoint(folder, header, [&](StateVisitor& v) { world_.visit(v); });
     last_checkpoint_ = now();
   }
@@ -212,6 +228,12 @@ class Run {
     add(f.wall_depth, "deeper in a wall than it is taken to be thick");
     return "contacts of polyhedra with a force that is not what it should be: " + parts +
            " (summed over steps)";
+  }
+
+  void set_machine(RunFigures& figures) const {
+    figures.wall_seconds = now() - started_;
+    figures.threads = stepper_->graph().threads();
+    figures.simd_target = stepper_->target();
   }
 
   int finish(bool fine) {
@@ -264,6 +286,7 @@ class Run {
 
   RunOptions options_;
   double started_ = 0, last_checkpoint_ = 0;
+  double tables_written_ = 0, tables_cost_ = 0;  // s
   std::unique_ptr<Start<Real>> start_;
   const LoadedScene& loaded_;
   World<Real>& world_;

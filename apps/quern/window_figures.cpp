@@ -38,8 +38,8 @@ WatchedSeries watched_of(const Scene& scene, const RecordedWindow& window,
   WatchedSeries all;
   const auto watch = [&](const char* name, const std::string& quantity, double scale) {
     std::vector<double> samples = recorded(series, quantity, window);
-    if (scale <= 0) scale = std::abs(block_mean(samples).mean);
-    if (!(scale > 0)) return;
+    if (scale <= 0) scale = samples.empty() ? 0 : std::abs(block_mean(samples).mean);
+    if (scale == 0) return;
     all.quantities.push_back({name, std::move(samples), scale});
     all.keys.push_back(quantity);
   };

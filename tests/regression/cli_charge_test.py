@@ -43,9 +43,11 @@ def contents(path):
 class Charge(Case):
     def setUp(self):
         super().setUp()
-        self.scene = self.folder / "recorded.toml"
+        self.scene, self.plain = self.folder / "recorded.toml", self.folder / "plain.toml"
         with open(LAB_MILL, encoding="utf-8") as file:
-            self.scene.write_text(file.read() + RECORD, encoding="utf-8")
+            plain = file.read().split("\n[record]")[0]
+        self.plain.write_text(plain, encoding="utf-8")
+        self.scene.write_text(plain + RECORD, encoding="utf-8")
 
     def run_scene(self, *arguments):
         return self.expect(0, quern("run", self.scene, "--out", self.out, *SHORT, *arguments))
@@ -108,7 +110,7 @@ class Charge(Case):
                 self.assertEqual(self.summary()[name], value, name)
 
     def test_what_is_not_asked_is_not_there(self):
-        self.expect(0, quern("run", LAB_MILL, "--out", self.out, *SHORT))
+        self.expect(0, quern("run", self.plain, "--out", self.out, *SHORT))
         self.assertEqual(contents(self.out / "run.h5"), {})
 
     def test_zones_can_be_set(self):
