@@ -160,6 +160,36 @@ class Report(unittest.TestCase):
         listed = json.loads((out / "frames" / "particles.hdf.series").read_text())["files"]
         self.assertEqual(len(told["view"]["times"]), len(listed))
 
+    def test_a_killed_run_has_the_tables_of_its_last_checkpoint(self):
+        out = WORK / "killed_later"
+        shutil.rmtree(out, ignore_errors=True)
+        run = subprocess.Popen([PROGRAM, "run", str(SCENE), "--out", str(out), "--threads", "1",
+                                "--set", "run.settle=none", "--set", "run.record_from=0",
+                                "--set", "output.series_every=0.0002",
+                                "--set", "record.snapshots_every=0.001",
+                                "--set", "output.checkpoint_every=0.2"],
+                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        try:
+            deadline = time.monotonic() + 60
+            while not (out / "summary.json").exists() and time.monotonic() < deadline:
+                time.sleep(0.05)
+            time.sleep(0.5)
+        finally:
+            run.send_signal(signal.SIGKILL)
+            run.wait()
+        quern("report", out)
+        told = Page(out / "report.html").data["runs"][0]
+        summary = json.loads(told["summary"])
+        self.assertFalse(summary["finished"])
+        self.assertGreater(summary["time_s"], 0)
+        for name in ("power_by_kind/total", "spectra/ore-ore/energy", "charge_map/solid_fraction",
+                     "classes/angular_speed"):
+            self.assertIn(name, told["arrays"], name)
+        spectra = [sum(told["arrays"][f"spectra/{kind}/energy"]["data"])
+                   for kind in ("ore-ore", "ore-media", "ore-liner", "media-media", "media-liner")]
+        spectra += told["arrays"]["spectra/open_energy"]["data"]
+        self.assertAlmostEqual(sum(spectra) / summary["recorded_dissipation_J"], 1, delta=1e-6)
+
     def test_compare_carries_all_runs(self):
         out = WORK / "compare.html"
         quern("compare", SPHERES, MIXED, "--out", out)
