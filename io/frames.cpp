@@ -50,6 +50,13 @@ class VtkFile {
     file_.set_attribute(path, "unit", unit);
   }
 
+  // A cell for each of so many points.
+  void vertices(std::size_t points) {
+    std::vector<std::int64_t> all(points);
+    std::iota(all.begin(), all.end(), 0);
+    cells(kVtkVertex, points, all, 1);
+  }
+
   // Cells of `corners` points each.
   void cells(std::uint8_t type, std::size_t points, const std::vector<std::int64_t>& connectivity,
              std::int64_t corners) {
@@ -107,10 +114,8 @@ void check_sizes(const ParticleFrame& frame) {
 void write_particles(const std::string& path, const ParticleFrame& frame) {
   const std::size_t n = frame.spheres;
   VtkFile file(path, frame.time);
-  std::vector<std::int64_t> points(n);
-  std::iota(points.begin(), points.end(), 0);
   file.array("Points", first_rows(frame.position, n, 3), "m", 3);
-  file.cells(kVtkVertex, n, points, 1);
+  file.vertices(n);
   file.array("PointData/radius", first_rows(frame.radius, n), "m");
   file.array("PointData/velocity", first_rows(frame.velocity, n, 3), "m/s", 3);
   file.array("PointData/speed", lengths(first_rows(frame.velocity, n, 3)), "m/s");
@@ -178,6 +183,27 @@ void write_liner(const std::string& path, const WallFrame& frame, double time) {
   file.finish();
 }
 
+void write_contacts(const std::string& path, const ContactFrame& frame, double time) {
+  const std::size_t n = frame.first.size();
+  QUERN_CHECK(frame.point.size() == 3 * n && frame.force.size() == 3 * n &&
+              frame.normal.size() == 3 * n && frame.overlap.size() == n &&
+              frame.normal_force.size() == n && frame.tangential_force.size() == n &&
+              frame.second.size() == n && frame.wall.size() == n && frame.kind.size() == n);
+  VtkFile file(path, time);
+  file.array("Points", frame.point, "m", 3);
+  file.vertices(n);
+  file.array("PointData/force", frame.force, "N", 3);
+  file.array("PointData/normal", frame.normal, "1", 3);
+  file.array("PointData/overlap", frame.overlap, "m");
+  file.array("PointData/normal_force", frame.normal_force, "N");
+  file.array("PointData/tangential_force", frame.tangential_force, "N");
+  file.array("PointData/first", frame.first, "1");
+  file.array("PointData/second", frame.second, "1");
+  file.array("PointData/wall", frame.wall, "1");
+  file.array("PointData/kind", frame.kind, "1");
+  file.finish();
+}
+
 // Value after `key` in one line of a series file as this file writes it.
 template <class T>
 bool parse_after(std::string_view line, std::string_view key, T& value) {
@@ -215,7 +241,7 @@ std::vector<FrameEntry> read_frame_list(const std::string& folder, const std::st
 
 FrameWriter::FrameWriter(std::string folder) : folder_(std::move(folder)) {
   make_folder(kWhat, folder_);
-  for (FileSeries* series : {&particles_, &polyhedra_, &liner_}) {
+  for (FileSeries* series : {&particles_, &polyhedra_, &liner_, &contacts_}) {
     series->entries = read_frame_list(folder_, series->name);
   }
 }
@@ -241,15 +267,22 @@ void FrameWriter::list(FileSeries& series, int number, double time) const {
 }
 
 void FrameWriter::write(int number, const ParticleFrame& particles, const WallFrame& walls,
-                        const std::optional<PolyhedronFrame>& polyhedra) {
+                        const std::optional<PolyhedronFrame>& polyhedra,
+                        const std::optional<ContactFrame>& contacts) {
   QUERN_CHECK(number >= 0);
   check_sizes(particles);
-  for (FileSeries* series : {&particles_, &polyhedra_, &liner_}) drop_from(*series, number);
+  for (FileSeries* series : {&particles_, &polyhedra_, &liner_, &contacts_}) {
+    drop_from(*series, number);
+  }
   write_particles(frame_path(folder_, particles_.name, number), particles);
   list(particles_, number, particles.time);
   if (polyhedra) {
     write_polyhedra(frame_path(folder_, polyhedra_.name, number), particles, *polyhedra);
     list(polyhedra_, number, particles.time);
+  }
+  if (contacts) {
+    write_contacts(frame_path(folder_, contacts_.name, number), *contacts, particles.time);
+    list(contacts_, number, particles.time);
   }
   if (walls.wall.empty()) return;
   write_liner(frame_path(folder_, liner_.name, number), walls, particles.time);

@@ -2,9 +2,11 @@
 //
 // particles_000123.hdf (one vertex cell a sphere), polyhedra_000123.hdf and liner_000123.hdf
 // (triangles) are VTKHDF 1.0 UnstructuredGrid, which is what ParaView 5.11 reads;
+// contacts_000123.hdf, where asked for, is one vertex cell a contact;
 // particles.hdf.series and so on give the times. For scripts, polyhedra_000123.hdf has a group
-// `polyhedra` with one row a body: place, orientation, velocities. Files appear by renaming, the series after the frame it lists, so a viewer or a
-// killed run never meets half a file. Every dataset carries its unit.
+// `polyhedra` with one row a body: place, orientation, velocities. Files appear by renaming, the
+// series after the frame it lists, so a viewer or a killed run never meets half a file. Every
+// dataset carries its unit.
 #pragma once
 
 #include <optional>
@@ -31,13 +33,15 @@ class FrameWriter {
   explicit FrameWriter(std::string folder);
 
   // Writes frame `number` >= 0. Frames from `number` on that a resumed run has left are deleted.
-  // Without triangles no liner file is written; `polyhedra` is absent in a scene that has none.
+  // Without triangles no liner file is written; `polyhedra` is absent in a scene that has none,
+  // `contacts` where nobody asks for them.
   void write(int number, const ParticleFrame& particles, const WallFrame& walls,
-             const std::optional<PolyhedronFrame>& polyhedra = {});
+             const std::optional<PolyhedronFrame>& polyhedra = {},
+             const std::optional<ContactFrame>& contacts = {});
 
  private:
   struct FileSeries {
-    std::string name;  // "particles", "polyhedra", "liner"
+    std::string name;  // "particles", "polyhedra", "liner", "contacts"
     std::vector<FrameEntry> entries;
   };
   void drop_from(FileSeries& series, int number) const;
@@ -47,6 +51,7 @@ class FrameWriter {
   FileSeries particles_{"particles", {}};
   FileSeries polyhedra_{"polyhedra", {}};
   FileSeries liner_{"liner", {}};
+  FileSeries contacts_{"contacts", {}};
 };
 
 // A single surface, in the units of its file.

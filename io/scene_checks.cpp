@@ -361,6 +361,13 @@ void check_record_settings(const SceneCheck& check) {
   needs("cell_width", !map && record.cell_width > 0, "charge_shape = true");
 }
 
+void check_output(const SceneCheck& check) {
+  const OutputSpec& output = check.scene.output;
+  if (output.contacts && output.frames_every == 0 &&
+      check.good({"output.contacts", "output.frames_every"}))
+    check.error("output.contacts", "'contacts' needs frames_every");
+}
+
 void check_zones(const SceneCheck& check) {
   constexpr double kTurn = 2 * kPi;
   constexpr double kDegree = kPi / 180;
@@ -440,6 +447,7 @@ void check_scene(SceneDraft& draft, ReadContext& context) {
   check_domain(check);
   check_fill(check);
   check_groups(check);
+  check_output(check);
   check_record_table(check);
   check_wear(check);
 }

@@ -376,6 +376,7 @@ void fields(Io& io, OutputSpec& output) {
      output.series_every);
   io({"frames_every", "time between frames; 0: none", kTime, Range::kNotNegative},
      output.frames_every);
+  io({"contacts", "frames hold each contact with its force"}, output.contacts);
   io({"checkpoint_every", "wall-clock time between checkpoints; 0: only at the end", kTime,
       Range::kNotNegative},
      output.checkpoint_every);

@@ -5,9 +5,6 @@
 
 namespace quern {
 
-namespace {
-
-// A place, wrapped into the domain where it is periodic.
 template <class Real>
 Vec3 wrapped(const World<Real>& world, Vec3 x) {
   for (Eigen::Index a = 0; a < 3; ++a) {
@@ -17,6 +14,8 @@ Vec3 wrapped(const World<Real>& world, Vec3 x) {
   }
   return x;
 }
+
+namespace {
 
 void resize(ParticleFrame& f, std::size_t n) {
   f.position.resize(3 * n);
@@ -161,6 +160,8 @@ WallFrame wall_frame(const World<Real>& world) {
   return f;
 }
 
+template Vec3 wrapped(const World<float>&, Vec3);
+template Vec3 wrapped(const World<double>&, Vec3);
 template ParticleFrame particle_frame(const World<float>&);
 template ParticleFrame particle_frame(const World<double>&);
 template EnergyFrame energy_frame(const World<float>&);

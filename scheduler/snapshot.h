@@ -8,6 +8,10 @@
 
 namespace quern {
 
+// A place, wrapped into the domain where it is periodic.
+template <class Real>
+Vec3 wrapped(const World<Real>& world, Vec3 x);
+
 template <class Real>
 ParticleFrame particle_frame(const World<Real>& world);
 

@@ -41,6 +41,27 @@ struct PolyhedronFrame {
   std::vector<std::uint32_t> body;      // k: which of the n
 };
 
+// All that touched in the last step, each contact once: of i, `first`, with j, `second`, in order
+// of i, with its particles before its walls, then of j. Of two spheres i is the smaller one (ties:
+// lower identity), of two polyhedra that of higher identity, of a sphere and a polyhedron the
+// sphere.
+//
+// The moment is that in which the step worked the force out: places of the particles are those
+// before they moved, one time step before those of a ParticleFrame, and walls stand as in the
+// WallFrame. So point, normal, overlap and force belong together.
+struct ContactFrame {
+  std::vector<double> point;            // m, n x 3: where the force acts
+  std::vector<float> force;             // N, n x 3: on i
+  std::vector<float> normal;            // n x 3: unit, from j to i
+  std::vector<float> overlap;           // m
+  std::vector<float> normal_force;      // N, along the normal; negative where a law pulls
+  std::vector<float> tangential_force;  // N, what is left, as a length
+  std::vector<std::uint32_t> first;     // identity
+  std::vector<std::uint32_t> second;    // identity; of a wall: row of World's walls
+  std::vector<std::uint8_t> wall;       // 1: j is a wall
+  std::vector<std::uint16_t> kind;      // of collision: row of the kinds of Groups
+};
+
 // The walls at the same moment, in the world frame.
 struct WallFrame {
   struct Field {  // of each triangle

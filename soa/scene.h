@@ -216,6 +216,7 @@ struct DomainSpec {
 struct OutputSpec {
   double series_every = 0;      // s; 0: 1/1000 of the duration
   double frames_every = 0;      // s; 0: no frames
+  bool contacts = false;        // in frames
   double checkpoint_every = 600;  // s of wall clock
 };
 

@@ -11,6 +11,7 @@
 #include "io/scene_reader.h"
 #include "io/statistics.h"
 #include "kernels/contact.h"
+#include "scheduler/contact_frame.h"
 #include "scheduler/phases.h"
 #include "scheduler/snapshot.h"
 #include "scheduler/wear_frame.h"
@@ -169,7 +170,8 @@ void Recorder::after_step(World<Real>& world) {
   if (frame_steps_ > 0 && step % frame_steps_ == 0) {
     frames_->write(static_cast<int>(step / frame_steps_), particle_frame(world),
                    world.wear.asked() ? wear_frame(world, scene_) : wall_frame(world),
-                   polyhedron_frame(world));
+                   polyhedron_frame(world),
+                   scene_.output.contacts ? std::optional(contact_frame(world)) : std::nullopt);
   }
   if (snapshots_ && snapshots_->due(step)) take_snapshots(world);
 }

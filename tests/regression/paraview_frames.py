@@ -2,7 +2,8 @@
 
 usage: xvfb-run -a -s -noreset pvbatch paraview_frames.py FRAMES_FOLDER PICTURE.png [PARTICLES]
 
-Loads particles.hdf.series, polyhedra.hdf.series and liner.hdf.series the way the file dialog does.
+Loads particles.hdf.series, polyhedra.hdf.series, liner.hdf.series and contacts.hdf.series, those that
+are there, the way the file dialog does.
 The times are compared with the series files, the number of particles of each frame (spheres and
 polyhedra) with PARTICLES if given; all fields must be there. The picture is seen along -z, in
 perspective so that the shell shows: spheres of true size and polyhedra in their true shapes
@@ -83,6 +84,24 @@ def check_polyhedra(reader, times):
         found.append(len({ids.GetValue(k) for k in range(ids.GetNumberOfTuples())}))
         print(f"t = {time}: {found[-1]} polyhedra of {ids.GetNumberOfTuples()} triangles")
     return found
+
+
+def check_contacts(reader, times):
+    for time in times:
+        reader.UpdatePipeline(time)
+        info = reader.GetDataInformation()
+        points, cells = info.GetNumberOfPoints(), info.GetNumberOfCells()
+        if points != cells:
+            fail(f"t = {time}: {points} points and {cells} cells of contacts")
+        print(f"t = {time}: {points} contacts")
+        if points == 0:
+            continue
+        for name, components in (("force", 3), ("normal", 3), ("overlap", 1), ("normal_force", 1),
+                                 ("tangential_force", 1), ("first", 1), ("second", 1), ("wall", 1),
+                                 ("kind", 1)):
+            array = reader.PointData.GetArray(name)
+            if array is None or array.GetNumberOfComponents() != components:
+                fail(f"t = {time}: no point data '{name}' of {components} components")
 
 
 def check_liner(reader, times):
@@ -185,6 +204,11 @@ def main():
     if expected is not None and set(counts) != {expected}:
         fail(f"{folder}: {counts} particles, expected {expected} in each frame")
     check_liner(liner, liner_times)
+    contacts, contact_times = load(folder, "contacts")
+    if contacts is not None:
+        if contact_times != times:
+            fail(f"{folder}: spheres and contacts are of different times")
+        check_contacts(contacts, contact_times)
     render(particles, polyhedra, liner, times[-1], picture)
     check_picture(picture)
     print(f"{picture} written")

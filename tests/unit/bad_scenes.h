@@ -358,6 +358,16 @@ face_angle = "14 deg"
 top_width = "10 mm")",
      "[record]\ncharge_shape = true",
      {R"~(27:16: error: 'charge_shape' needs a [mill])~"}},
+    {"ContactsWithoutFrames",
+     R"([mill]
+)",
+     "[output]\nframes_every = \"0 s\"\ncontacts = true\n[mill]\n",
+     {R"~(28:12: error: 'contacts' needs frames_every)~"}},
+    {"ContactsThatAreNoAnswer",
+     R"([mill]
+)",
+     "[output]\ncontacts = \"all\"\n[mill]\n",
+     {R"~(27:12: error: 'contacts' must be true or false, found a string)~"}},
     {"SnapshotsOfNothing",
      R"([mill]
 )",

@@ -37,6 +37,21 @@ WallFrame square() {
   return {{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}, {0, 1, 2, 0, 2, 3}, {4, 4}, {0.5f, 1.5f}};
 }
 
+ContactFrame two_contacts() {
+  ContactFrame f;
+  f.point = {0, 0, 0.5, 1, 2, 3};
+  f.force = {0, 3, 4, 0, -1, 0};
+  f.normal = {0, 0, 1, 0, -1, 0};
+  f.overlap = {1e-5f, 2e-5f};
+  f.normal_force = {4, 1};
+  f.tangential_force = {3, 0};
+  f.first = {0, 2};
+  f.second = {1, 0};
+  f.wall = {0, 1};
+  f.kind = {0, 2};
+  return f;
+}
+
 template <class T>
 std::vector<T> read_array(const Hdf5File& file, const std::string& name, std::size_t rows,
                           std::size_t components = 1) {
@@ -95,10 +110,43 @@ TEST(Frames, LinerIsTrianglesWithCellData) {
   EXPECT_EQ(read_array<float>(file, "CellData/speed", 2)[1], 1.5f);
 }
 
+TEST(Frames, ContactsAreVertexCellsWithTheirForces) {
+  const TempFolder folder;
+  FrameWriter(folder.path()).write(4, particles_at(0.5, 3), {}, {}, two_contacts());
+  const Hdf5File file("frame", folder / "contacts_000004.hdf", FileMode::kRead);
+  EXPECT_EQ(file.f64_attribute("/", "time"), 0.5);
+  EXPECT_EQ(read_array<std::int64_t>(file, "NumberOfPoints", 1), Int64s{2});
+  EXPECT_EQ(read_array<std::int64_t>(file, "Offsets", 3), (Int64s{0, 1, 2}));
+  EXPECT_EQ(read_array<std::uint8_t>(file, "Types", 2), (std::vector<std::uint8_t>{1, 1}));
+  EXPECT_EQ(read_array<double>(file, "Points", 2, 3)[2], 0.5);
+  EXPECT_EQ(read_array<float>(file, "PointData/force", 2, 3)[4], -1);
+  EXPECT_EQ(read_array<float>(file, "PointData/normal", 2, 3)[2], 1);
+  EXPECT_EQ(read_array<float>(file, "PointData/overlap", 2)[1], 2e-5f);
+  EXPECT_EQ(read_array<float>(file, "PointData/normal_force", 2)[0], 4);
+  EXPECT_EQ(read_array<float>(file, "PointData/tangential_force", 2)[0], 3);
+  EXPECT_EQ(read_array<std::uint32_t>(file, "PointData/first", 2)[1], 2u);
+  EXPECT_EQ(read_array<std::uint32_t>(file, "PointData/second", 2)[0], 1u);
+  EXPECT_EQ(read_array<std::uint8_t>(file, "PointData/wall", 2)[1], 1);
+  EXPECT_EQ(read_array<std::uint16_t>(file, "PointData/kind", 2)[1], 2);
+  EXPECT_NE(read_bytes(folder / "contacts.hdf.series").find("contacts_000004.hdf"),
+            std::string::npos);
+}
+
+TEST(Frames, ContactsAreWrittenWhereAskedForEvenIfNoneTouch) {
+  const TempFolder folder;
+  FrameWriter frames(folder.path());
+  frames.write(0, particles_at(0, 1), {});
+  EXPECT_FALSE(std::filesystem::exists(folder / "contacts_000000.hdf"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "contacts.hdf.series"));
+  frames.write(1, particles_at(0.1, 1), {}, {}, ContactFrame());
+  const Hdf5File file("frame", folder / "contacts_000001.hdf", FileMode::kRead);
+  EXPECT_EQ(read_array<std::int64_t>(file, "NumberOfPoints", 1), Int64s{0});
+}
+
 TEST(Frames, EveryArrayCarriesItsUnit) {
   const TempFolder folder;
-  FrameWriter(folder.path()).write(0, particles_at(0, 2), square());
-  for (const char* name : {"particles_000000.hdf", "liner_000000.hdf"}) {
+  FrameWriter(folder.path()).write(0, particles_at(0, 2), square(), {}, two_contacts());
+  for (const char* name : {"particles_000000.hdf", "liner_000000.hdf", "contacts_000000.hdf"}) {
     const Hdf5File file("frame", folder / name, FileMode::kRead);
     for (const std::string& array : file.datasets("VTKHDF")) {
       EXPECT_NE(file.text_attribute("VTKHDF/" + array, "unit"), "") << array;

@@ -188,6 +188,7 @@ void expect_same(const Scene& a, const Scene& b) {
   for (std::size_t i = 0; i < a.particles.size(); ++i) expect_same(a.particles[i], b.particles[i]);
   EXPECT_EQ(a.output.series_every, b.output.series_every);
   EXPECT_EQ(a.output.frames_every, b.output.frames_every);
+  EXPECT_EQ(a.output.contacts, b.output.contacts);
   EXPECT_EQ(a.output.checkpoint_every, b.output.checkpoint_every);
   EXPECT_EQ(a.record.collisions, b.record.collisions);
   EXPECT_EQ(a.record.charge_shape, b.record.charge_shape);
@@ -425,6 +426,7 @@ count = 3
 [output]
 series_every = "3 ms"
 frames_every = "70 ms"
+contacts = true
 checkpoint_every = "5 min"
 [record]
 charge_shape = true
