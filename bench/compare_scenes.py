@@ -22,6 +22,8 @@ import tomllib
 
 import h5py
 
+import scene_speed
+
 # Stage: its contacts, of the means read from run.h5.
 CONTACTS = {
     "sphere_pairs": lambda m: m["pairs"] - m["polyhedron_sphere"] - m["polyhedron_pair"],
@@ -45,7 +47,7 @@ def turned(options, scene, folder, start=()):
     last = options.steps * float(run["time_step"].split()[0])
     record = "record_from_revolution" if "record_from_revolution" in run else "record_from"
     settings = [f"run.duration={options.turn + last}", f"run.{record}=0", "output.frames_every=0",
-                f"output.series_every={last / 10}", *start]
+                f"output.series_every={last / 10}", *scene_speed.PLAIN, *start]
     done = os.path.join(folder, "turned")
     if not os.path.isfile(done):
         command = [options.program, "run", scene, "--out", folder]

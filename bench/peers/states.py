@@ -68,7 +68,7 @@ def call(*command):
 
 def run(program, scene, folder, until, settings):
     command = [program, "run", scene, "--out", folder, "--until", repr(until)]
-    for setting in settings:
+    for setting in (*scene_speed.PLAIN, *settings):
         command += ["--set", setting]
     call(*command)
 
