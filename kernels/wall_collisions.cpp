@@ -1,6 +1,7 @@
 #include "kernels/wall_collisions.h"
 
 #include <cmath>
+#include <utility>
 
 namespace quern {
 
@@ -56,11 +57,11 @@ Episode follow_wall_contact(const World<Real>& world, std::size_t kind, const Wa
 }
 
 template <class Real>
-void record_wall_contacts(const World<Real>& world, const WallContacts& contacts,
-                          const WallLanes& lanes, TileWalls& tile, CollisionTally& tally) {
+void record_wall_contacts(const World<Real>& world, const WallContacts& contacts, WallLanes& lanes,
+                          TileWalls& tile, CollisionTally& tally) {
   const Particles<Real>& p = world.particles;
-  std::vector<Episode> now;
-  now.reserve(lanes.size());
+  std::vector<Episode>& now = lanes.episodes();
+  now.clear();
   for (std::size_t k = 0; k < lanes.size(); ++k) {
     const Index particle = contacts.particle[k];
     const std::size_t kind =
@@ -81,16 +82,16 @@ void record_wall_contacts(const World<Real>& world, const WallContacts& contacts
     const Episode episode = follow_wall_contact(world, kind, told, before, came, tally);
     if (told.touches) now.push_back(episode);
   }
-  tile.episodes = std::move(now);
+  std::swap(tile.episodes, now);
 }
 
 template Episode follow_wall_contact(const World<float>&, std::size_t, const WallTold&,
                                      const Episode*, const Arrival&, CollisionTally&);
 template Episode follow_wall_contact(const World<double>&, std::size_t, const WallTold&,
                                      const Episode*, const Arrival&, CollisionTally&);
-template void record_wall_contacts(const World<float>&, const WallContacts&, const WallLanes&,
-                                   TileWalls&, CollisionTally&);
-template void record_wall_contacts(const World<double>&, const WallContacts&, const WallLanes&,
+template void record_wall_contacts(const World<float>&, const WallContacts&, WallLanes&, TileWalls&,
+                                   CollisionTally&);
+template void record_wall_contacts(const World<double>&, const WallContacts&, WallLanes&,
                                    TileWalls&, CollisionTally&);
 
 }  // namespace quern

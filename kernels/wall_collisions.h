@@ -29,7 +29,7 @@ Episode follow_wall_contact(const World<Real>& world, std::size_t kind, const Wa
 // the tally, and the episodes of the contacts that go on to the tile, in the order in which their
 // springs will be.
 template <class Real>
-void record_wall_contacts(const World<Real>& world, const WallContacts& contacts,
-                          const WallLanes& lanes, TileWalls& tile, CollisionTally& tally);
+void record_wall_contacts(const World<Real>& world, const WallContacts& contacts, WallLanes& lanes,
+                          TileWalls& tile, CollisionTally& tally);
 
 }  // namespace quern

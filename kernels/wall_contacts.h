@@ -58,6 +58,8 @@ class WallLanes {
   Index facet(std::size_t k) const { return facet_[k]; }
   // The spring that it goes on from, of those that were collected from, or null.
   const WallSpring* old(std::size_t k) const { return old_[k]; }
+  // Memory for the episodes of a tile, whatever it holds.
+  std::vector<Episode>& episodes() { return episodes_; }
   bool is_open(std::size_t k) const { return numbers_[3 * stride_ + k] > 0; }
 
  private:
@@ -66,6 +68,7 @@ class WallLanes {
   std::vector<double> numbers_;  // kGeometry + 10 rows of `stride_`, three of points, four of energies
   std::vector<Index> particle_, wall_, feature_, facet_;
   std::vector<const WallSpring*> old_;
+  std::vector<Episode> episodes_;
   std::vector<std::uint32_t> material_;
   std::size_t size_ = 0, stride_ = 0;
   std::vector<double> center_[3];

@@ -86,7 +86,7 @@ void add_wear(const World<Real>& world, const WearContact& contact, Index wall, 
   const Vec3 x = body.pose.rotation.transpose() * (point - body.pose.shift);
   if (facet == kNoIndex) facet = nearest_facet(body.facets, wall, x, reach, list.near);
   if (facet == kNoIndex) return;
-  list.entries.push_back({world.wear.grids[on].cell_at(body.facets, facet, x),
+  list.entries.push_back({world.wear.grids[on].cell_at(facet, x),
                           static_cast<std::uint16_t>(wall), species,
                           wear_of(contact, world.clock.dt, world.wear.finnie_force_ratio)});
 }

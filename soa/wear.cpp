@@ -46,6 +46,10 @@ WearGrid::WearGrid(const Facets& facets, double size, Index first_cell) {
     apex_.push_back(apex_of(facets, t));
     facet_strip_.push_back(static_cast<Index>(strip_cell_.size()));
     const Sides s = sides(facets, t);
+    const double bb = s.b.squaredNorm(), bc = s.b.dot(s.c), cc = s.c.squaredNorm();
+    const double determinant = bb * cc - bc * bc;
+    axes_.push_back(
+        {s.apex, (cc * s.b - bc * s.c) / determinant, (bb * s.c - bc * s.b) / determinant});
     const double width = (s.c - s.b).norm(), count = pieces(std::max(s.b.norm(), s.c.norm()), size);
     for (double k = 0; k < count && cell < kMostWearCells; ++k) {
       strip_cell_.push_back(static_cast<Index>(cell));
@@ -59,13 +63,10 @@ WearGrid::WearGrid(const Facets& facets, double size, Index first_cell) {
   strip_cell_.push_back(static_cast<Index>(cell));
 }
 
-Index WearGrid::cell_at(const Facets& facets, Index facet, const Vec3& x) const noexcept {
-  const Sides s = sides(facets, facet);
-  const Vec3 d = x - s.apex;
-  const double bb = s.b.squaredNorm(), bc = s.b.dot(s.c), cc = s.c.squaredNorm();
-  const double db = d.dot(s.b), dc = d.dot(s.c), determinant = bb * cc - bc * bc;
-  const double along_b = (cc * db - bc * dc) / determinant;
-  const double along_c = (bb * dc - bc * db) / determinant;
+Index WearGrid::cell_at(Index facet, const Vec3& x) const noexcept {
+  const Axes& axes = axes_[facet];
+  const Vec3 d = x - axes.apex;
+  const double along_b = d.dot(axes.to_b), along_c = d.dot(axes.to_c);
   const double down = std::clamp(along_b + along_c, 0.0, 1.0);
   const double across = down > 0 ? std::clamp(along_c / down, 0.0, 1.0) : 0.0;
   const Index count = strips(facet);

@@ -60,7 +60,7 @@ class WearGrid {
   Index first_cell() const { return strip_cell_.front(); }
   Index end_cell() const { return strip_cell_.back(); }
   // The cell of the point of the facet nearest to x (body frame), near enough for points beside it.
-  Index cell_at(const Facets& facets, Index facet, const Vec3& x) const noexcept;
+  Index cell_at(Index facet, const Vec3& x) const noexcept;
   // Appends all cells in their order.
   void append_cells(const Facets& facets, Index body, std::vector<WearCell>& out) const;
 
@@ -71,7 +71,11 @@ class WearGrid {
   Sides sides(const Facets& facets, Index facet) const;
   Index strips(Index facet) const { return facet_strip_[facet + 1] - facet_strip_[facet]; }
 
+  struct Axes {  // a point beside the apex is at its products with these along b and c
+    Vec3 apex, to_b, to_c;
+  };
   std::vector<std::uint8_t> apex_;  // corner of each facet
+  std::vector<Axes> axes_;          // of each facet
   std::vector<Index> facet_strip_;  // first strip of each facet, and the end
   std::vector<Index> strip_cell_;   // first cell of each strip, and the end
 };
