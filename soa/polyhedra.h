@@ -186,16 +186,16 @@ struct Polyhedra {
 #define QUERN_VISIT(type, name, unit, doc) v.column("polyhedra/" #name, unit, name, 1);
     QUERN_POLYHEDRON_FIELDS(QUERN_VISIT)
 #undef QUERN_VISIT
-    visit_rows(v, "polyhedra/pairs", "m, N, N m, 1", pairs);
-    visit_rows(v, "polyhedra/walls", "m, N, N m", walls);
+    visit_bytes(v, "polyhedra/pairs", "m, N, N m, 1", pairs);
+    visit_bytes(v, "polyhedra/walls", "m, N, N m", walls);
     if (episodes) {
       visit_rows(v, "polyhedra/pair_episodes", "J", pair_episodes);
       visit_rows(v, "polyhedra/wall_episodes", "J", wall_episodes);
     }
-    visit_rows(v, "polyhedra/wall_candidate_begin", "1", wall_candidate_begin);
-    visit_rows(v, "polyhedra/wall_candidate_body", "1", wall_candidate_body);
-    visit_rows(v, "polyhedra/wall_candidate_facet_begin", "1", wall_candidate_facet_begin);
-    visit_rows(v, "polyhedra/wall_candidate_facet", "1", wall_candidate_facet);
+    visit_bytes(v, "polyhedra/wall_candidate_begin", "1", wall_candidate_begin);
+    visit_bytes(v, "polyhedra/wall_candidate_body", "1", wall_candidate_body);
+    visit_bytes(v, "polyhedra/wall_candidate_facet_begin", "1", wall_candidate_facet_begin);
+    visit_bytes(v, "polyhedra/wall_candidate_facet", "1", wall_candidate_facet);
     v.values("polyhedra/first_id", "1", ElementType::kU32, &first_id, 1);
     v.later_values("polyhedra/fallbacks", "1", ElementType::kU64, &fallbacks, 3);
     spheres.visit(v);
@@ -209,8 +209,8 @@ struct Polyhedra {
  private:
   // A vector of plain rows as a column of bytes and back.
   template <class Row>
-  static void visit_rows(StateVisitor& v, const char* name, const char* unit,
-                         std::vector<Row>& rows) {
+  static void visit_bytes(StateVisitor& v, const char* name, const char* unit,
+                          std::vector<Row>& rows) {
     Column<std::uint8_t> bytes;
     bytes.reset(rows.size() * sizeof(Row));
     if (!rows.empty()) std::memcpy(bytes.data(), rows.data(), rows.size() * sizeof(Row));

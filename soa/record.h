@@ -38,6 +38,8 @@ struct Traits {
 static_assert(sizeof(Traits<float>) == 8);
 static_assert(sizeof(Traits<double>) == 16);
 
+inline constexpr std::size_t kMostMaterials = 256;  // what a tag has room for
+
 // tag: material and group in the lowest bytes, number of contacts of the last step in the high half.
 inline std::uint32_t make_tag(std::uint32_t material, std::uint32_t contacts,
                               std::uint32_t group = 0) {

@@ -4,6 +4,9 @@
 // `quern info` are visitors. A reader resizes columns to what it finds. Names use '/' for groups.
 #pragma once
 
+#include <cstring>
+#include <vector>
+
 #include "soa/column.h"
 
 namespace quern {
@@ -29,5 +32,20 @@ class StateVisitor {
     values(name, unit, type, data, count);
   }
 };
+
+// Rows of f64 numbers as a column and back.
+template <class Row>
+void visit_rows(StateVisitor& v, const char* name, const char* unit, std::vector<Row>& rows) {
+  constexpr std::size_t kWidth = sizeof(Row) / sizeof(double);
+  static_assert(sizeof(Row) == kWidth * sizeof(double), "numbers only");
+  Column<double> numbers;
+  numbers.reset(rows.size() * kWidth);
+  if (!rows.empty()) std::memcpy(numbers.data(), rows.data(), rows.size() * sizeof(Row));
+  v.column(name, unit, numbers, kWidth);
+  rows.resize(numbers.size() / kWidth);
+  if (!rows.empty()) {
+    std::memcpy(static_cast<void*>(rows.data()), numbers.data(), rows.size() * sizeof(Row));
+  }
+}
 
 }  // namespace quern

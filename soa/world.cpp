@@ -7,26 +7,6 @@
 
 namespace quern {
 
-namespace {
-
-// As a column and back.
-void visit_episodes(StateVisitor& v, std::vector<Episode>& episodes) {
-  constexpr std::size_t kWidth = sizeof(Episode) / sizeof(double);
-  Column<double> numbers;
-  numbers.reset(kWidth * episodes.size());
-  if (!episodes.empty()) {
-    std::memcpy(numbers.data(), episodes.data(), episodes.size() * sizeof(Episode));
-  }
-  v.column("walls/episodes", "J", numbers, kWidth);
-  episodes.resize(numbers.size() / kWidth);
-  if (!episodes.empty()) {
-    std::memcpy(static_cast<void*>(episodes.data()), numbers.data(),
-                episodes.size() * sizeof(Episode));
-  }
-}
-
-}  // namespace
-
 template <class Real>
 typename World<Real>::PackedWalls World<Real>::pack_walls() const {
   PackedWalls p;
@@ -97,7 +77,7 @@ void World<Real>::visit(StateVisitor& v) {
   if (!shapes.empty()) polyhedra.visit(v, collisions.recording == Recording::kOn);
   PackedWalls packed = pack_walls();
   v.column("walls/springs", "m, N, N m", packed.spring_bytes, sizeof(WallSpring));
-  if (collisions.recording == Recording::kOn) visit_episodes(v, packed.episodes);
+  if (collisions.recording == Recording::kOn) visit_rows(v, "walls/episodes", "J", packed.episodes);
   v.column("walls/spring_tile", "1", packed.spring_tile, 1);
   v.column("walls/entry_tile", "1", packed.entry_tile, 1);
   v.column("walls/entry_particle", "1", packed.entry_particle, 1);
@@ -114,18 +94,7 @@ void World<Real>::visit(StateVisitor& v) {
   block("ledger", "J", ledger, ElementType::kF64);
   block("window", "sums over steps", window, ElementType::kF64);
   block("totals", "sums over the scene", totals, ElementType::kF64);
-  Column<double> wall_numbers;
-  constexpr std::size_t kWidth = sizeof(WallTotal) / sizeof(double);
-  wall_numbers.reset(wall_totals.size() * kWidth);
-  if (!wall_totals.empty()) {
-    std::memcpy(wall_numbers.data(), wall_totals.data(), wall_totals.size() * sizeof(WallTotal));
-  }
-  v.column("walls/totals", "N, N m, J", wall_numbers, kWidth);
-  wall_totals.resize(wall_numbers.size() / kWidth);
-  if (!wall_totals.empty()) {
-    std::memcpy(static_cast<void*>(wall_totals.data()), wall_numbers.data(),
-                wall_totals.size() * sizeof(WallTotal));
-  }
+  visit_rows(v, "walls/totals", "N, N m, J", wall_totals);
   v.later_column("wear/cells", "J, N m, N s", wear.cells, kWearSums);
   v.later_column("wear/walls", "J, N m, N s", wear.walls, kWearSums);
   v.later_column("wear/species", "J, N m, N s", wear.species, kWearSums);
