@@ -11,6 +11,7 @@
 
 #include "io/scene_checks_parts.h"
 #include "soa/groups.h"
+#include "soa/record.h"
 
 namespace quern {
 
@@ -349,8 +350,7 @@ void check_groups(const SceneCheck& check) {
 void check_record_settings(const SceneCheck& check) {
   const RecordSpec& record = check.scene.record;
   const auto needs = [&](const char* key, bool given, const char* what) {
-    if (given)
-      check.error(std::string("record.") + key, fmt::format("'{}' needs {}", key, what));
+    if (given) check.error(std::string("record.") + key, fmt::format("'{}' needs {}", key, what));
   };
   const bool map = record.charge_shape || !check.good({"record.charge_shape"});
   const bool any = map || record.classes || !record.zones.empty() ||
@@ -391,10 +391,9 @@ void check_zones(const SceneCheck& check) {
     const double span = zone.angle_to - zone.angle_from;
     // A full turn in degrees is one in radians to rounding.
     if (span == 0 || std::abs(span) > kTurn * (1 + 1e-12))
-      check.error(path + "angle_to",
-                  fmt::format("'angle_to': from {:.6g} to {:.6g} degrees is {}",
-                              zone.angle_from / kDegree, zone.angle_to / kDegree,
-                              span == 0 ? "nothing" : "more than a full turn"));
+      check.error(path + "angle_to", fmt::format("'angle_to': from {:.6g} to {:.6g} degrees is {}",
+                                                 zone.angle_from / kDegree, zone.angle_to / kDegree,
+                                                 span == 0 ? "nothing" : "more than a full turn"));
   }
 }
 
@@ -439,6 +438,9 @@ void check_scene(SceneDraft& draft, ReadContext& context) {
   std::vector<std::string> names;
   for (const Material& material : draft.scene.materials)
     check.name("materials." + material.name, material.name, names);
+  if (names.size() > kMostMaterials)
+    check.error("materials", fmt::format("{} materials are too many (at most {})", names.size(),
+                                         kMostMaterials));
   check_walls(check);
   check_particles(check);
   check_run(check);

@@ -76,8 +76,8 @@ struct FoundPairs {
 inline constexpr Index kTouches = 1, kDidTouch = 2;
 
 // What is told of the collisions of a tile's own contacts while they are recorded. Kinds are pairs
-// of groups of particles, row by row, see pair_kind(). Columns have room for all contacts
-// of the tile and a vector more.
+// of groups of particles, see pair_kind(). Columns have room for all contacts of the tile and a
+// vector more.
 template <class Real>
 struct PairCollisions {
   double* energies;  // ContactEnergies of each kind; added to

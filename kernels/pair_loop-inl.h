@@ -151,7 +151,7 @@ HWY_INLINE BodyV<Real> join_bodies(const PlaceV<Real>& low, const PlaceV<Real>& 
     b.inverse_mass = low_motion.traits[0];
     tag = hn::BitCast(di, low_motion.traits[1]);
   }
-  // A tag is a material and a number of contacts.
+  // A tag is a material, a group and a number of contacts.
   b.contacts = hn::ConvertTo(Lanes<Real>(), hn::ShiftRight<16>(tag));
   b.material = hn::And(tag, hn::Set(di, 0xff));
   b.group = hn::And(hn::ShiftRight<8>(tag), hn::Set(di, 0xff));

@@ -18,6 +18,7 @@
 
 #include "scheduler/random.h"
 #include "soa/facets.h"
+#include "soa/record.h"
 
 namespace quern {
 namespace {
@@ -271,7 +272,7 @@ class SpeciesDraw {
 
 std::vector<ParticleSeed> draw_sizes(const Scene& scene) {
   QUERN_CHECK(scene.particles.size() <= std::numeric_limits<std::uint16_t>::max());
-  QUERN_CHECK(scene.materials.size() <= std::numeric_limits<std::uint16_t>::max());
+  QUERN_CHECK(scene.materials.size() <= kMostMaterials);
   std::vector<ParticleSeed> particles;
   for (std::size_t s = 0; s < scene.particles.size(); ++s) {
     SpeciesDraw(scene, s, particles).draw();

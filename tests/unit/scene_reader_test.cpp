@@ -77,6 +77,16 @@ diameter = "5 mm"
   EXPECT_EQ(parse(text).errors, expected);
 }
 
+// A particle's tag has a byte for its material.
+TEST(SceneReader, RefusesMoreMaterialsThanATagHolds) {
+  std::string text = kGoodScene;
+  for (int k = 2; k < 256; ++k) text += "\n[materials.m" + std::to_string(k) + "]";
+  EXPECT_EQ(parse(text).errors, Lines{});
+  const Lines errors = parse(text + "\n[materials.one_more]").errors;
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_NE(errors[0].find("257 materials are too many (at most 256)"), std::string::npos);
+}
+
 TEST(SceneReader, NamesEveryStrayLetterBeforeItParses) {
   const Lines expected = {
       "mill.toml:1:2: error: 'ä' may only stand in a string or a comment (keys and numbers are "
@@ -114,8 +124,7 @@ TEST(SceneReader, WarnsOfARestitutionThatClampedContactsCannotReach) {
 }
 
 TEST(SceneReader, WarnsOfAVolumeStiffnessThatNothingUses) {
-  const std::string text =
-      changed(kGoodScene, "law =", "volume_stiffness = \"1 GPa\"\nlaw =");
+  const std::string text = changed(kGoodScene, "law =", "volume_stiffness = \"1 GPa\"\nlaw =");
   EXPECT_EQ(parse(text).warnings, Lines{"mill.toml:13:20: 'volume_stiffness' is not used: it needs "
                                         "normal_model = \"volume\""});
   EXPECT_EQ(parse(changed(text, "law =", "normal_model = \"volume\"\nlaw =")).warnings, Lines{});
@@ -219,10 +228,9 @@ TEST(Overrides, MakeThePairAndTheTableThatAreNotThere) {
 }
 
 TEST(Overrides, DropTheOtherWaysToSayTheSame) {
-  const SceneResult result =
-      parse(kGoodScene, {"run.revolutions=4", "run.record_from_revolution=1",
-                         "particles.ball.mass=1 kg", "particles.ore.filling_level=0.2",
-                         "particles.ore.equivalent_diameter=14 mm"});
+  const SceneResult result = parse(
+      kGoodScene, {"run.revolutions=4", "run.record_from_revolution=1", "particles.ball.mass=1 kg",
+                   "particles.ore.filling_level=0.2", "particles.ore.equivalent_diameter=14 mm"});
   ASSERT_EQ(result.errors, Lines{});
   EXPECT_FALSE(result.scene.run.duration);
   EXPECT_FALSE(result.scene.run.record_from);
