@@ -4,7 +4,8 @@
 usage: slices.py PROGRAM [--work build/bench/slices] [--revolutions 1] [--steady 1] [--lead 0.5]
                  [--threads 0]
 
-Fills and turns sag_slice_small_sp for STEADY revolutions. From that state both slices turn for LEAD
+Fills and turns sag_slice_small_sp for STEADY revolutions, to whole pitches of its lifters: a run that
+starts from a file has them where they are at t = 0, and they must not stand in the charge. From that state both slices turn for LEAD
 revolutions, in which the charge takes up its motion again (the mill stands while spheres become
 polyhedra), and REVOLUTIONS more that are recorded. Then `quern compare` writes WORK/compare.html.
 What is done is used again, what was stopped goes on: run it again after an interruption.
@@ -14,8 +15,10 @@ import json
 import os
 import subprocess
 import sys
+import tomllib
 
 import scene_speed
+from quern_bench import scene_path
 
 
 def finished(folder):
@@ -32,8 +35,7 @@ def turn(options, name, folder, settings):
     if os.path.isfile(os.path.join(folder, "checkpoint.h5")):
         command = [options.program, "resume", folder]
     else:
-        scene = os.path.join(scene_speed.ROOT, "apps", "scenes", name + ".toml")
-        command = [options.program, "run", scene, "--out", folder]
+        command = [options.program, "run", scene_path(name), "--out", folder]
         for setting in settings:
             command += ["--set", setting]
     if options.threads > 0:
@@ -41,6 +43,12 @@ def turn(options, name, folder, settings):
     print(f"# {' '.join(command)}", flush=True)
     if subprocess.run(command, check=False).returncode != 0 or not finished(folder):
         sys.exit(f"{folder} is not finished; run this again to go on")
+
+
+def whole_pitches(revolutions):
+    with open(scene_path("sag_slice_small_sp"), "rb") as file:
+        lifters = tomllib.load(file)["mill"]["lifters"]["count"]
+    return max(1, round(revolutions * lifters)) / lifters
 
 
 def main():
@@ -54,7 +62,7 @@ def main():
     options = parser.parse_args()
     steady = os.path.abspath(os.path.join(options.work, "steady"))
     turn(options, "sag_slice_small_sp", steady,
-         [*scene_speed.PLAIN, f"run.revolutions={options.steady}", "output.frames_every=0"])
+         [*scene_speed.PLAIN, f"run.revolutions={whole_pitches(options.steady)}", "output.frames_every=0"])
     folders = []
     for name in ("sag_slice_small_sp", "sag_slice_small_ph"):
         folders.append(os.path.join(options.work, name))
