@@ -76,7 +76,7 @@ void CollisionTally::add_to(Collisions& all, double dt) const {
   if (all.liner.empty()) return;
   LinerHistogram& liner = all.liner[all.liner_block];
   for (const OnLiner& t : liner_) {
-    add_to_liner(t.angle, dt, t.normal_dissipation, t.touch, liner);
+    add_to_liner(t.bin, dt, t.normal_dissipation, t.touch, liner);
   }
 }
 

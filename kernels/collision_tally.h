@@ -31,10 +31,10 @@ class CollisionTally {
   void begin_episode(std::size_t kind, double impact);
   void end_episode(std::size_t kind, double dissipated, double approach);
 
-  // A contact with a mill's liner at `angle` (rad, about the axis) that lost so much (J) to damping
-  // along the normal in this step.
-  void touch_liner(double angle, double normal_dissipation, LinerTouch touch) {
-    liner_.push_back({angle, normal_dissipation, touch});
+  // A contact with a mill's liner at (x, y) from the axis that lost so much (J) to damping along
+  // the normal in this step.
+  void touch_liner(double x, double y, double normal_dissipation, LinerTouch touch) {
+    liner_.push_back({normal_dissipation, static_cast<std::uint16_t>(liner_bin(x, y)), touch});
   }
 
   // To the sums of now: the opening step sets the energies of the springs and counts nothing.
@@ -49,7 +49,8 @@ class CollisionTally {
   const Groups* groups_ = nullptr;
   std::vector<ContactEnergies> kinds_;
   struct OnLiner {
-    double angle, normal_dissipation;
+    double normal_dissipation;
+    std::uint16_t bin;
     LinerTouch touch;
   };
   std::vector<Binned> ended_, begun_;

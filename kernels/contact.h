@@ -1,5 +1,5 @@
-// Contact forces of one tile: what the kernels read and write, and the entry points that dispatch to
-// the best SIMD target of this CPU at run time.
+// Contact forces of one tile: what the kernels read and write, and the entry points that dispatch
+// to the best SIMD target of this CPU at run time.
 //
 // A kernel is a pure function over columns: no allocation, no threads, no I/O. The pair kernels add
 // force and torque into the tile's accumulator rows, in the order of the list; a row is
@@ -14,6 +14,7 @@
 #include "soa/motion.h"
 #include "soa/pairs.h"
 #include "soa/record.h"
+#include "soa/wear.h"
 
 namespace quern {
 
@@ -36,14 +37,17 @@ template <class Real>
 struct StepConstants {
   LawTable<Real> law;
   double dt;
-  bool clamped;   // normal force never pulls
-  bool rolling;   // any rolling friction in the table
-  bool damped;    // any tangential damping in the table
+  bool clamped;              // normal force never pulls
+  bool rolling;              // any rolling friction in the table
+  bool damped;               // any tangential damping in the table
   double period[3];          // m; 0: not periodic
   double inverse_period[3];  // 1/m; 0: not periodic
   double nearest2 = 0;       // m^2, least half period: of two that are nearer none is an image
   Recording recording = Recording::kOff;
-  Index groups = 0;          // of particles
+  Index groups = 0;            // of particles
+  bool wears = false;          // contacts with walls write what they wear off
+  bool wear_absolute = false;  // by the velocity of the particle itself, see WearVelocity
+  double finnie_force_ratio = 2;
 };
 
 // Particles of the whole scene as the last step left them.
@@ -80,7 +84,7 @@ inline constexpr Index kTouches = 1, kDidTouch = 2;
 // vector more.
 template <class Real>
 struct PairCollisions {
-  double* energies;  // ContactEnergies of each kind; added to
+  double* energies;             // ContactEnergies of each kind; added to
   Real *dissipated, *approach;  // J, of episodes that ended
   Index* ended_kind;
   Real* impact;  // J, of those that began
@@ -153,7 +157,8 @@ struct WallContacts {
   double* wall_work;  // J, out: work of the wall on the particle in this contact and step
   // J, out, of the contact: work on the relative motion, springs, sliding, tangential damping
   double* energies[4];
-  std::size_t count;  // padded to kPairPad by the caller; padding has overlap 0 and no force
+  double* wear[kWearSums];  // out, if the step wears: of the contact in this step, see wear.h
+  std::size_t count;        // padded to kPairPad by the caller; padding has overlap 0 and no force
 };
 
 // Moves the particles of one tile by a step.
@@ -170,19 +175,19 @@ struct MoveView {
   double list_time;             // s since the lists were built, at the end of this step
   double kick;                  // s, of the velocities: dt, or dt/2 on the first step
   double gravity[3];
-  double low[3], high[3];       // a centre outside is an error
-  double drag;                  // factor on velocities in settling's soft phase; 1: none
+  double low[3], high[3];  // a centre outside is an error
+  double drag;             // factor on velocities in settling's soft phase; 1: none
 };
 
 struct MoveTally {
-  double translational = 0;  // J, 1/2 m v(n-1/2) . v(n+1/2)
-  double rotational = 0;     // J
-  double momentum[3] = {0, 0, 0};      // kg m/s, of v(n-1/2)
+  double translational = 0;              // J, 1/2 m v(n-1/2) . v(n+1/2)
+  double rotational = 0;                 // J
+  double momentum[3] = {0, 0, 0};        // kg m/s, of v(n-1/2)
   double moment_of_mass[3] = {0, 0, 0};  // kg m, sum of m x
-  double drag_loss = 0;      // J, taken out by settling's drag
-  double max_deviation2 = 0; // m^2, from the straight lines of the lists
-  double strays = 0;         // particles that left their lines by more than they may
-  double bad = 0;            // particles not finite or outside
+  double drag_loss = 0;                  // J, taken out by settling's drag
+  double max_deviation2 = 0;             // m^2, from the straight lines of the lists
+  double strays = 0;                     // particles that left their lines by more than they may
+  double bad = 0;                        // particles not finite or outside
 };
 
 template <class Real>

@@ -23,8 +23,7 @@ void PolyhedronContacts<Real>::list_wear(const World<Real>& world,
     c.friction = step.law.sliding_friction[law_row_[k]];
     c.touching = lane.touching;
     c.first_touch = lane.touching && !(get(B::kOverlapOld, k) > 0);
-    add_wear(world, c, lane.wall.wall, kNoIndex, lane.wall.point, lane.smaller, p.species[body],
-             list);
+    add_wear(world, c, lane.wall.wall, lane.wall.point, lane.smaller, p.species[body], list);
   }
 }
 

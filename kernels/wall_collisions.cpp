@@ -44,10 +44,9 @@ Episode follow_wall_contact(const World<Real>& world, std::size_t kind, const Wa
   }
   if (told.wall == asked.liner) {
     const Body& body = world.bodies[world.walls[told.wall].body];
-    const double fast = hit_speed(body.velocity.spin.norm(), asked.mill_radius);
-    const bool hit = now.approach > 0.5 * told.mass * fast * fast;
-    tally.touch_liner(std::atan2(told.point.y(), told.point.x()),
-                      normal_dissipation(e, now.elastic),
+    const double fast2 = hit_speed2(body.velocity.spin.squaredNorm(), asked.mill_radius);
+    const bool hit = now.approach > 0.5 * told.mass * fast2;
+    tally.touch_liner(told.point.x(), told.point.y(), normal_dissipation(e, now.elastic),
                       hit ? LinerTouch::kHit : LinerTouch::kSlow);
   }
   now.energy -= e.work;

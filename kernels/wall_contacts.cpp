@@ -13,9 +13,10 @@ namespace quern {
 namespace {
 
 constexpr std::size_t kEntriesAhead = 8;
-constexpr double kFront = 1e-6;  // of the radius: a centre this high is in front of a face
-constexpr std::size_t kPoint = WallContacts::kGeometry + 10, kEnergies = kPoint + 3;
-constexpr std::size_t kRows = kEnergies + 4;
+constexpr double kLeastRoom = 1e-3;  // of the radius: not worth a search of its own
+constexpr double kFront = 1e-6;      // of the radius: a centre this high is in front of a face
+constexpr std::size_t kPoint = WallLanes::kPoint, kEnergies = kPoint + 3;
+constexpr std::size_t kWear = kEnergies + 4, kRows = kWear + kWearSums;
 
 // The touches of one particle with one body, in the world frame.
 struct Touches {
@@ -60,15 +61,16 @@ void find_touches(const Body& body, const Ball& ball, std::span<const Index> fac
 template <class Real>
 void push_closing(const World<Real>& world, const WallSpring& spring, WallLanes& lanes) {
   const Wall& wall = world.walls[spring.wall];
-  lanes.push(
-      {spring.particle, spring.wall, spring.feature, kNoIndex, spring.normal, spring.point, 0},
-      &spring, world.bodies[wall.body], world.clock.dt, wall.material);
+  lanes.push({spring.particle, spring.wall, spring.feature, kNoIndex, kNoIndex, spring.normal,
+              spring.point, 0},
+             &spring, world.bodies[wall.body], world.clock.dt, wall.material);
 }
 
-// Lanes for the contacts of one particle with one body; `old` are its open springs.
+// Lanes for the contacts of one particle with one body; `old` are its open springs. `cell`: of its
+// only contact, if known.
 template <class Real>
 void push_contacts(const World<Real>& world, const Body& body, const Ball& ball, const Touches& now,
-                   std::span<const WallSpring> old, WallLanes& lanes) {
+                   std::span<const WallSpring> old, Index cell, WallLanes& lanes) {
   std::array<int, kMaxWallTouches> from;
   match_wall_springs(old,
                      {{now.wall.data(), now.count},
@@ -84,7 +86,7 @@ void push_contacts(const World<Real>& world, const Body& body, const Ball& ball,
       if (at < used.size()) used[at] = true;
       was = &old[at];
     }
-    lanes.push({ball.particle, now.wall[k], now.feature[k], now.facet[k], now.normal[k],
+    lanes.push({ball.particle, now.wall[k], now.feature[k], now.facet[k], cell, now.normal[k],
                 now.point[k], now.overlap[k]},
                was, body, world.clock.dt, world.walls[now.wall[k]].material);
   }
@@ -95,16 +97,16 @@ void push_contacts(const World<Real>& world, const Body& body, const Ball& ball,
 
 // The contact with the face of one facet that goes on, without a search; false if it does not.
 template <class Real>
-bool push_known(const World<Real>& world, const Body& body, const Ball& ball, Index facet,
-                const WallSpring& old, WallLanes& lanes) {
-  const FacetRecord& f = body.facets.record[facet];
+bool push_known(const World<Real>& world, const Body& body, const Ball& ball,
+                const KnownTouch& known, const WallSpring& old, WallLanes& lanes) {
+  const FacetRecord& f = body.facets.record[known.facet];
   const double height = f.normal.dot(ball.in_body - f.corner[0]);
   if (!(height > kFront * ball.radius && height < ball.radius)) return false;
   if (old.wall != f.wall || old.feature != f.group) return false;
   const Vec3 normal = body.pose.rotation * f.normal;
   const double overlap = ball.radius - height;
-  lanes.push({ball.particle, f.wall, f.group, facet, normal, contact_point(ball, normal, overlap),
-              overlap},
+  lanes.push({ball.particle, f.wall, f.group, known.facet, known.wear_cell, normal,
+              contact_point(ball, normal, overlap), overlap},
              &old, body, world.clock.dt, world.walls[f.wall].material);
   return true;
 }
@@ -116,7 +118,16 @@ KnownTouch look_again(const Facets& all, const Ball& ball, std::span<const Index
   if (now.count > 1 || (now.count == 1 && now.overlap[0] >= ball.radius)) return {};
   const FacetFreedom freedom = facet_freedom(all, ball.in_body, ball.radius, facets);
   if ((freedom.facet == kNoIndex) != (now.count == 0)) return {};
-  return {ball.in_body, freedom.way, freedom.facet};
+  return {ball.in_body, freedom.way, freedom.facet, kNoIndex};
+}
+
+// The cell of the facet that it touches, which it is looked for again beyond.
+void look_for_cell(const WearGrid& grid, double radius, KnownTouch& known) {
+  double room = 0;
+  const Index cell = grid.cell_at(known.facet, known.place, room);
+  if (room < kLeastRoom * radius) return;
+  known.free = std::min(known.free, room);
+  known.wear_cell = cell;
 }
 
 }  // namespace
@@ -129,6 +140,7 @@ void WallLanes::push(const WallTouchNow& now, const WallSpring* old, const Body&
   wall_[k] = now.wall;
   feature_[k] = now.feature;
   facet_[k] = now.facet;
+  wear_cell_[k] = now.wear_cell;
   material_[k] = material;
   old_[k] = old;
   double* const lane = numbers_.data() + k;
@@ -155,11 +167,6 @@ void WallLanes::push(const WallTouchNow& now, const WallSpring* old, const Body&
   put(kPoint, now.point);
 }
 
-Vec3 WallLanes::point(std::size_t k) const {
-  const double* const lane = numbers_.data() + kPoint * stride_ + k;
-  return {lane[0], lane[stride_], lane[2 * stride_]};
-}
-
 WallSpring WallLanes::spring(std::size_t k) const {
   const double* const lane = numbers_.data() + k;
   const auto get = [&](std::size_t row) {
@@ -183,6 +190,7 @@ void WallLanes::reserve(std::size_t n) {
   wall_.resize(wider);
   feature_.resize(wider);
   facet_.resize(wider);
+  wear_cell_.resize(wider);
   old_.resize(wider);
   material_.resize(wider);
 }
@@ -205,6 +213,7 @@ WallContacts WallLanes::view(Index idle) {
   for (double*& m : w.moment) m = std::exchange(row, row + stride_);
   w.wall_work = row;
   for (std::size_t k = 0; k < 4; ++k) w.energies[k] = numbers_.data() + (kEnergies + k) * stride_;
+  for (std::size_t k = 0; k < kWearSums; ++k) w.wear[k] = numbers_.data() + (kWear + k) * stride_;
   w.particle = particle_.data();
   w.material = material_.data();
   return w;
@@ -273,15 +282,18 @@ void collect_wall_contacts(const World<Real>& world, std::size_t tile, std::span
     const Ball ball = {particle, Vec3(r.x, r.y, r.z), lanes.center(entry),
                        static_cast<double>(r.radius)};
     if (holds && sure.facet != kNoIndex && open.size() == 1 &&
-        push_known(world, body, ball, sure.facet, open[0], lanes)) {
+        push_known(world, body, ball, sure, open[0], lanes)) {
       continue;
     }
     const std::span<const Index> facets(c.facet.data() + c.first[entry],
                                         c.first[entry + 1] - c.first[entry]);
     Touches now;
     find_touches(body, ball, facets, open, now);
-    push_contacts(world, body, ball, now, open, lanes);
     sure = look_again(body.facets, ball, facets, now);
+    if (sure.facet != kNoIndex && world.wear.records()) {
+      look_for_cell(world.wear.grids[c.body[entry]], ball.radius, sure);
+    }
+    push_contacts(world, body, ball, now, open, sure.wear_cell, lanes);
   }
   while (spring != last) push_closing(world, *spring++, lanes);
 }

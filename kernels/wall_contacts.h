@@ -19,15 +19,17 @@ namespace quern {
 // to `place` it touches `facet` alone, in front of its face, or nothing. Derived from the state and
 // never saved; whether it is known changes no result.
 struct KnownTouch {
-  Vec3 place = Vec3::Zero();  // m, in the frame of the walls
-  double free = 0;            // m, how far it may go; 0: nothing is known
-  Index facet = kNoIndex;     // kNoIndex: it touches nothing
+  Vec3 place = Vec3::Zero();   // m, in the frame of the walls
+  double free = 0;             // m, how far it may go; 0: nothing is known
+  Index facet = kNoIndex;      // kNoIndex: it touches nothing
+  Index wear_cell = kNoIndex;  // on the facet, where wear is recorded; kNoIndex: not known
 };
 
 // What a contact is in this step.
 struct WallTouchNow {
   Index particle, wall, feature;
-  Index facet;  // one that the point is on; kNoIndex: not known, of a contact that closes
+  Index facet;      // one that the point is on; kNoIndex: not known, of a contact that closes
+  Index wear_cell;  // kNoIndex: not known
   Vec3 normal, point;
   double overlap;
 };
@@ -35,6 +37,8 @@ struct WallTouchNow {
 // Lanes of one tile; kept by a worker between tiles.
 class WallLanes {
  public:
+  static constexpr std::size_t kPoint = WallContacts::kGeometry + 10;  // row
+
   void clear() { size_ = 0; }
   // Where the spheres of all candidates are in the frames of their bodies, and whether what is
   // known of them still holds.
@@ -54,8 +58,12 @@ class WallLanes {
   // Lane k as the kernel left it.
   WallSpring spring(std::size_t k) const;
   Index wall(std::size_t k) const { return wall_[k]; }
-  Vec3 point(std::size_t k) const;  // m
+  Vec3 point(std::size_t k) const {  // m
+    const double* const lane = numbers_.data() + kPoint * stride_ + k;
+    return {lane[0], lane[stride_], lane[2 * stride_]};
+  }
   Index facet(std::size_t k) const { return facet_[k]; }
+  Index wear_cell(std::size_t k) const { return wear_cell_[k]; }
   // The spring that it goes on from, of those that were collected from, or null.
   const WallSpring* old(std::size_t k) const { return old_[k]; }
   // Memory for the episodes of a tile, whatever it holds.
@@ -65,8 +73,9 @@ class WallLanes {
  private:
   void reserve(std::size_t n);
 
-  std::vector<double> numbers_;  // kGeometry + 10 rows of `stride_`, three of points, four of energies
-  std::vector<Index> particle_, wall_, feature_, facet_;
+  // kPoint rows of `stride_`, three of points, four of energies, kWearSums of wear
+  std::vector<double> numbers_;
+  std::vector<Index> particle_, wall_, feature_, facet_, wear_cell_;
   std::vector<const WallSpring*> old_;
   std::vector<Episode> episodes_;
   std::vector<std::uint32_t> material_;

@@ -10,7 +10,6 @@ namespace quern {
 namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-constexpr double kAtTheCone = 1 - 1e-9;
 
 // m v^2 times Finnie's function of the angle, of the velocity's two parts.
 double finnie_energy(double mass, double in, double along, double force_ratio) {
@@ -33,6 +32,24 @@ Index nearest_facet(const Facets& facets, Index wall, const Vec3& x, double reac
     nearest = t;
   }
   return nearest;
+}
+
+Vec3 in_body(const Body& body, const Vec3& point) {
+  return body.pose.rotation.transpose() * (point - body.pose.shift);
+}
+
+// Of the contact of a lane whose cell is not known; kNoIndex without a facet.
+template <class Real>
+Index find_cell(const World<Real>& world, const WallLanes& lanes, std::size_t k, Index particle,
+                std::vector<Index>& near) {
+  const Index wall = lanes.wall(k), on = world.walls[wall].body;
+  const Vec3 x = in_body(world.bodies[on], lanes.point(k));
+  Index facet = lanes.facet(k);
+  if (facet == kNoIndex) {
+    const double reach = static_cast<double>(world.particles.record[particle].radius);
+    facet = nearest_facet(world.bodies[on].facets, wall, x, reach, near);
+  }
+  return facet == kNoIndex ? kNoIndex : world.wear.grids[on].cell_at(facet, x);
 }
 
 }  // namespace
@@ -78,52 +95,41 @@ WearRow wear_factors(const WearSpec& wear, const Material& material) {
 }
 
 template <class Real>
-void add_wear(const World<Real>& world, const WearContact& contact, Index wall, Index facet,
-              const Vec3& point, double reach, std::uint16_t species, WearList& list) {
+void add_wear(const World<Real>& world, const WearContact& contact, Index wall, const Vec3& point,
+              double reach, std::uint16_t species, WearList& list) {
   if (!contact.touching && contact.slide == 0) return;
   const Index on = world.walls[wall].body;
-  const Body& body = world.bodies[on];
-  const Vec3 x = body.pose.rotation.transpose() * (point - body.pose.shift);
-  if (facet == kNoIndex) facet = nearest_facet(body.facets, wall, x, reach, list.near);
+  const Vec3 x = in_body(world.bodies[on], point);
+  const Index facet = nearest_facet(world.bodies[on].facets, wall, x, reach, list.near);
   if (facet == kNoIndex) return;
-  list.entries.push_back({world.wear.grids[on].cell_at(facet, x),
-                          static_cast<std::uint16_t>(wall), species,
+  list.entries.push_back({world.wear.grids[on].cell_at(facet, x), static_cast<std::uint16_t>(wall),
+                          species,
                           wear_of(contact, world.clock.dt, world.wear.finnie_force_ratio)});
 }
 
 template <class Real>
 void list_wear(const World<Real>& world, const WallContacts& contacts, const WallLanes& lanes,
                WearList& list) {
+  list.entries.resize(lanes.size());
+  WearEntry* entry = list.entries.data();
   for (std::size_t k = 0; k < lanes.size(); ++k) {
-    const WallSpring now = lanes.spring(k);
-    const Record<Real>& r = world.particles.record[now.particle];
-    const Traits<Real>& traits = world.particles.traits[now.particle];
-    const auto geometry = [&](std::size_t row) {
-      return Vec3(contacts.geometry[row][k], contacts.geometry[row + 1][k],
-                  contacts.geometry[row + 2][k]);
-    };
-    const Vec3 velocity(r.vx, r.vy, r.vz), spin(r.wx, r.wy, r.wz);
-    const double radius = static_cast<double>(r.radius);
-    WearContact c;
-    c.normal = now.normal;
-    c.force = now.force;
-    c.velocity = velocity - geometry(8);
-    c.at_point = c.velocity - (radius - 0.5 * now.overlap) * spin.cross(now.normal);
-    c.braked = world.wear.velocity == WearVelocity::kAbsolute ? velocity : c.velocity;
-    c.slide = contacts.energies[2][k];
-    c.mass = 1 / static_cast<double>(traits.inverse_mass);
-    const Index row = tag_material(traits.tag) * world.materials + world.walls[now.wall].material;
-    c.friction = world.wall_law.sliding_friction[row];
-    c.touching = lanes.is_open(k);
-    c.first_touch = c.touching && !(contacts.geometry[7][k] > 0);
-    add_wear(world, c, now.wall, lanes.facet(k), now.point, radius,
-             world.particles.species[now.particle], list);
+    if (!lanes.is_open(k) && contacts.wear[kSlidingEnergy][k] == 0) continue;
+    const Index particle = contacts.particle[k];
+    Index cell = lanes.wear_cell(k);
+    if (cell == kNoIndex) cell = find_cell(world, lanes, k, particle, list.near);
+    if (cell == kNoIndex) continue;
+    entry->cell = cell;
+    entry->wall = static_cast<std::uint16_t>(lanes.wall(k));
+    entry->species = world.particles.species[particle];
+    for (std::size_t sum = 0; sum < kWearSums; ++sum) entry->sum[sum] = contacts.wear[sum][k];
+    ++entry;
   }
+  list.entries.resize(static_cast<std::size_t>(entry - list.entries.data()));
 }
 
-template void add_wear(const World<float>&, const WearContact&, Index, Index, const Vec3&, double,
+template void add_wear(const World<float>&, const WearContact&, Index, const Vec3&, double,
                        std::uint16_t, WearList&);
-template void add_wear(const World<double>&, const WearContact&, Index, Index, const Vec3&, double,
+template void add_wear(const World<double>&, const WearContact&, Index, const Vec3&, double,
                        std::uint16_t, WearList&);
 template void list_wear(const World<float>&, const WallContacts&, const WallLanes&, WearList&);
 template void list_wear(const World<double>&, const WallContacts&, const WallLanes&, WearList&);

@@ -21,6 +21,8 @@
 
 namespace quern {
 
+inline constexpr double kAtTheCone = 1 - 1e-9;  // of the cone: a contact that slides is on it
+
 struct WearContact {
   Vec3 normal;      // unit, from the wall to the particle
   Vec3 force;       // N, on the particle
@@ -46,13 +48,13 @@ struct WearList {
   std::vector<Index> near;  // scratch
 };
 
-// Appends an entry with its cell. `facet` may be kNoIndex: it is then the nearest of the wall
-// within `reach` of the point (m, world frame); without one nothing is added.
+// Appends an entry with its cell, on the nearest facet of the wall within `reach` of the point (m,
+// world frame); without one nothing is added.
 template <class Real>
-void add_wear(const World<Real>& world, const WearContact& contact, Index wall, Index facet,
-              const Vec3& point, double reach, std::uint16_t species, WearList& list);
+void add_wear(const World<Real>& world, const WearContact& contact, Index wall, const Vec3& point,
+              double reach, std::uint16_t species, WearList& list);
 
-// All contacts of spheres of a tile, as the force kernel left them.
+// All contacts of spheres of a tile, with the sums that the force kernel wrote (wear-inl.h).
 template <class Real>
 void list_wear(const World<Real>& world, const WallContacts& contacts, const WallLanes& lanes,
                WearList& list);

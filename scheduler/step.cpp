@@ -11,6 +11,8 @@ namespace quern {
 
 namespace {
 
+constexpr std::size_t kTilesAhead = 4;  // whose wear is fetched
+
 template <class Real, class Columns>
 LawTable<Real> table_of(const Columns& law, Index materials) {
   return {law.normal_stiffness.data(),
@@ -42,6 +44,9 @@ void Stepper<Real>::prepare() {
     // Of pairs; contacts with walls are followed if anything is asked.
     c.recording = world_.collisions_asked.kinds ? world_.collisions.recording : Recording::kOff;
     c.groups = static_cast<Index>(world_.groups.of_particles());
+    c.wears = world_.wear.records();
+    c.wear_absolute = world_.wear.velocity == WearVelocity::kAbsolute;
+    c.finnie_force_ratio = world_.wear.finnie_force_ratio;
     c.nearest2 = HUGE_VAL;
     for (std::size_t a = 0; a < 3; ++a) {
       const Eigen::Index e = static_cast<Eigen::Index>(a);
@@ -240,7 +245,12 @@ void Stepper<Real>::add_tiles() {
 template <class Real>
 void Stepper<Real>::add_wear() {
   if (!world_.wear.records()) return;
-  for (const WearList& list : tile_wear_) world_.wear.add(list.entries);
+  for (std::size_t tile = 0; tile < tile_wear_.size(); ++tile) {
+    if (tile + kTilesAhead < tile_wear_.size()) {
+      world_.wear.fetch(tile_wear_[tile + kTilesAhead].entries);
+    }
+    world_.wear.add(tile_wear_[tile].entries);
+  }
   if (bodies_) bodies_->add_wear();
   world_.wear.time[0] += world_.clock.dt;
 }

@@ -7,8 +7,6 @@ namespace quern {
 
 namespace {
 
-constexpr std::size_t kEntriesAhead = 8;
-
 // Pieces of at most `size`; a length that is a multiple of it to rounding is that many.
 double pieces(double length, double size) {
   return std::max(1.0, std::ceil(length / size * (1 - 1e-9)));
@@ -44,13 +42,11 @@ WearGrid::WearGrid(const Facets& facets, double size, Index first_cell) {
   double cell = first_cell;
   for (Index t = 0; t < facets.triangles(); ++t) {
     apex_.push_back(apex_of(facets, t));
-    facet_strip_.push_back(static_cast<Index>(strip_cell_.size()));
     const Sides s = sides(facets, t);
     const double bb = s.b.squaredNorm(), bc = s.b.dot(s.c), cc = s.c.squaredNorm();
     const double determinant = bb * cc - bc * bc;
-    axes_.push_back(
-        {s.apex, (cc * s.b - bc * s.c) / determinant, (bb * s.c - bc * s.b) / determinant});
     const double width = (s.c - s.b).norm(), count = pieces(std::max(s.b.norm(), s.c.norm()), size);
+    const Index first = static_cast<Index>(strip_cell_.size());
     for (double k = 0; k < count && cell < kMostWearCells; ++k) {
       strip_cell_.push_back(static_cast<Index>(cell));
       cell += (k == 0 ? 1 : 2) * pieces(width * (k + 1) / count, size);
@@ -58,36 +54,60 @@ WearGrid::WearGrid(const Facets& facets, double size, Index first_cell) {
     if (cell >= kMostWearCells) {
       throw UserError("wear.cell_size: the walls have more than 2e7 cells; choose a larger one");
     }
+    cuts_.push_back({s.apex, (cc * s.b - bc * s.c) / determinant,
+                     (bb * s.c - bc * s.b) / determinant, first,
+                     static_cast<Index>(strip_cell_.size()) - first});
   }
-  facet_strip_.push_back(static_cast<Index>(strip_cell_.size()));
   strip_cell_.push_back(static_cast<Index>(cell));
 }
 
+WearGrid::Spot WearGrid::spot_at(const Cut& cut, const Vec3& x) const noexcept {
+  const Vec3 d = x - cut.apex;
+  const double along_b = d.dot(cut.to_b), along_c = d.dot(cut.to_c);
+  Spot at;
+  at.down = std::clamp(along_b + along_c, 0.0, 1.0);
+  at.across = at.down > 0 ? std::clamp(along_c / at.down, 0.0, 1.0) : 0.0;
+  at.strips = cut.strips;
+  at.row = std::min(static_cast<Index>(at.down * cut.strips), cut.strips - 1);
+  const Index strip = cut.first_strip + at.row;
+  at.first = strip_cell_[strip];
+  const Index cells = strip_cell_[strip + 1] - at.first;
+  at.columns = at.row == 0 ? cells : cells / 2;
+  at.column = std::min(static_cast<Index>(at.across * at.columns), at.columns - 1);
+  return at;
+}
+
+double WearGrid::room_around(const Cut& cut, const Spot& at) const noexcept {
+  if (!(at.down > 0 && at.down < 1 && at.across > 0 && at.across < 1)) return 0;
+  const Vec3 to_down = cut.to_b + cut.to_c;
+  const double along_c = at.down * at.across, upper = at.upper(), lower = at.lower();
+  const double left = double(at.column) / at.columns, right = double(at.column + 1) / at.columns;
+  double room = std::min(at.down - upper, lower - at.down) / to_down.norm();
+  room = std::min(room, (along_c - left * at.down) / (cut.to_c - left * to_down).norm());
+  room = std::min(room, (right * at.down - along_c) / (cut.to_c - right * to_down).norm());
+  if (at.row > 0) {
+    const Vec3 across = (at.end() - at.begin()) * to_down - (lower - upper) * cut.to_c;
+    room = std::min(room, std::abs(at.beyond_diagonal()) / across.norm());
+  }
+  return std::max(0.0, room * (1 - 1e-9));
+}
+
 Index WearGrid::cell_at(Index facet, const Vec3& x) const noexcept {
-  const Axes& axes = axes_[facet];
-  const Vec3 d = x - axes.apex;
-  const double along_b = d.dot(axes.to_b), along_c = d.dot(axes.to_c);
-  const double down = std::clamp(along_b + along_c, 0.0, 1.0);
-  const double across = down > 0 ? std::clamp(along_c / down, 0.0, 1.0) : 0.0;
-  const Index count = strips(facet);
-  const Index k = std::min(static_cast<Index>(down * count), count - 1);
-  const Index strip = facet_strip_[facet] + k, first = strip_cell_[strip];
-  const Index cells = strip_cell_[strip + 1] - first, columns = k == 0 ? cells : cells / 2;
-  const Index column = std::min(static_cast<Index>(across * columns), columns - 1);
-  if (k == 0) return first + column;
-  // The diagonal of the column from its corner near the apex and b to the far one near c.
-  const double u0 = double(k) / count, u1 = double(k + 1) / count;
-  const double w0 = u0 * column / columns, w1 = u1 * (column + 1) / columns;
-  const bool beyond = (down - u0) * (w1 - w0) < (down * across - w0) * (u1 - u0);
-  return first + 2 * column + (beyond ? 1 : 0);
+  return spot_at(cuts_[facet], x).cell();
+}
+
+Index WearGrid::cell_at(Index facet, const Vec3& x, double& room) const noexcept {
+  const Spot at = spot_at(cuts_[facet], x);
+  room = room_around(cuts_[facet], at);
+  return at.cell();
 }
 
 void WearGrid::append_cells(const Facets& facets, Index body, std::vector<WearCell>& out) const {
   for (Index t = 0; t < facets.triangles(); ++t) {
     const Sides s = sides(facets, t);
-    const Index count = strips(t);
+    const Index count = cuts_[t].strips;
     for (Index k = 0; k < count; ++k) {
-      const Index strip = facet_strip_[t] + k;
+      const Index strip = cuts_[t].first_strip + k;
       const Index cells = strip_cell_[strip + 1] - strip_cell_[strip];
       const Index columns = k == 0 ? cells : cells / 2;
       const auto at = [&](Index row, Index column) {
@@ -118,14 +138,19 @@ void Wear::add(std::span<const WearEntry> entries) {
   const auto add_to = [](double* row, const WearRow& sum) {
     for (std::size_t k = 0; k < kWearSums; ++k) row[k] += sum[k];
   };
-  for (std::size_t e = 0; e < entries.size(); ++e) {
-    if (e + kEntriesAhead < entries.size()) {
-      __builtin_prefetch(cells.data() + std::size_t{entries[e + kEntriesAhead].cell} * kWearSums);
-    }
-    const WearEntry& entry = entries[e];
+  for (const WearEntry& listed : entries) {
+    const WearEntry entry = listed;
     add_to(cells.data() + std::size_t{entry.cell} * kWearSums, entry.sum);
     add_to(walls.data() + std::size_t{entry.wall} * kWearSums, entry.sum);
     add_to(species.data() + std::size_t{entry.species} * kWearSums, entry.sum);
+  }
+}
+
+void Wear::fetch(std::span<const WearEntry> entries) const {
+  for (const WearEntry& entry : entries) {
+    const double* const row = cells.data() + std::size_t{entry.cell} * kWearSums;
+    __builtin_prefetch(row);
+    __builtin_prefetch(row + kWearSums - 1);
   }
 }
 

@@ -61,6 +61,9 @@ class WearGrid {
   Index end_cell() const { return strip_cell_.back(); }
   // The cell of the point of the facet nearest to x (body frame), near enough for points beside it.
   Index cell_at(Index facet, const Vec3& x) const noexcept;
+  // The same, and how far (m) the point may go in any direction without leaving the cell; 0 of one
+  // beside the facet.
+  Index cell_at(Index facet, const Vec3& x, double& room) const noexcept;
   // Appends all cells in their order.
   void append_cells(const Facets& facets, Index body, std::vector<WearCell>& out) const;
 
@@ -69,14 +72,34 @@ class WearGrid {
     Vec3 apex, b, c;
   };
   Sides sides(const Facets& facets, Index facet) const;
-  Index strips(Index facet) const { return facet_strip_[facet + 1] - facet_strip_[facet]; }
 
-  struct Axes {  // a point beside the apex is at its products with these along b and c
+  // A point beside the apex is at its products with to_b and to_c along b and c: `down` is their
+  // sum, 1 at the shortest side, and `along_c` the second.
+  struct Cut {
     Vec3 apex, to_b, to_c;
+    Index first_strip, strips;
   };
+  struct Spot {                                 // in the column of a strip that a point is in
+    double down, across;                        // across: from b to c, 0 ... 1
+    Index first, row, strips, column, columns;  // first cell of the strip
+    double upper() const { return double(row) / strips; }
+    double lower() const { return double(row + 1) / strips; }
+    // along_c where the diagonal begins, near the apex and b, and ends.
+    double begin() const { return upper() * column / columns; }
+    double end() const { return lower() * (column + 1) / columns; }
+    double beyond_diagonal() const {  // > 0: the cell near b
+      return (down - upper()) * (end() - begin()) - (down * across - begin()) * (lower() - upper());
+    }
+    Index cell() const {
+      if (row == 0) return first + column;
+      return first + 2 * column + (beyond_diagonal() < 0 ? 1 : 0);
+    }
+  };
+  Spot spot_at(const Cut& cut, const Vec3& x) const noexcept;
+  double room_around(const Cut& cut, const Spot& spot) const noexcept;
+
   std::vector<std::uint8_t> apex_;  // corner of each facet
-  std::vector<Axes> axes_;          // of each facet
-  std::vector<Index> facet_strip_;  // first strip of each facet, and the end
+  std::vector<Cut> cuts_;           // of each facet
   std::vector<Index> strip_cell_;   // first cell of each strip, and the end
 };
 
@@ -100,6 +123,7 @@ struct Wear {
   void clear(std::size_t walls_of_scene, std::size_t species_of_scene);
   bool fits() const { return cells.size() == cell_count() * kWearSums; }
   void add(std::span<const WearEntry> entries);
+  void fetch(std::span<const WearEntry> entries) const;  // to the caches, before they are added
   WearRow total_of(const Column<double>& rows, std::size_t row) const;
 };
 

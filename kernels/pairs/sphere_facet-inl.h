@@ -11,6 +11,7 @@
 #endif
 
 #include "kernels/pair_loop-inl.h"
+#include "kernels/wear-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace quern {
@@ -55,8 +56,8 @@ void sphere_facet(const StepConstants<double>& step, const ParticleView<Real>& p
     old.force = load3<V>(walls.force, at);
     old.moment = load3<V>(walls.moment, at);
     const auto touching = hn::Gt(t.overlap, zero);
-    const auto wall_material = hn::PromoteTo(
-        D64I(), hn::BitCast(D32I(), hn::LoadU(D32U(), walls.material + at)));
+    const auto wall_material =
+        hn::PromoteTo(D64I(), hn::BitCast(D32I(), hn::LoadU(D32U(), walls.material + at)));
     hn::Vec<D64I> material;
     if constexpr (sizeof(Real) == sizeof(double)) {
       material = a.material;
@@ -64,14 +65,27 @@ void sphere_facet(const StepConstants<double>& step, const ParticleView<Real>& p
       material = hn::PromoteTo(D64I(), a.material);
     }
     const auto row = hn::Add(hn::Mul(material, hn::Set(D64I(), step.law.materials)), wall_material);
-    const ResponseV<V> r =
-        respond<double, RollingLaw>(step, load_coefficients<double>(step.law, row), t, old, touching);
+    const CoefficientsV<V> coefficients = load_coefficients<double>(step.law, row);
+    const ResponseV<V> r = respond<double, RollingLaw>(step, coefficients, t, old, touching);
     const V half_dt = hn::Set(d, 0.5 * step.dt);
     const V pushed = hn::Add(dot(old.force, wall_velocity_old), dot(r.force, wall_velocity));
     const V turned = step.rolling ? dot(old.moment + r.moment, t.spin_j) : zero;
     hn::StoreU(hn::Mul(half_dt, hn::Add(pushed, turned)), d, walls.wall_work + at);
     const V energies[4] = {r.work, r.elastic, r.slide, r.tangential_damping};
     for (int k = 0; k < 4; ++k) hn::StoreU(energies[k], d, walls.energies[k] + at);
+    if (step.wears) {
+      const WearContactV c = {t.normal,
+                              r.force,
+                              velocity,
+                              t.at_point,
+                              step.wear_absolute ? a.velocity : velocity,
+                              r.slide,
+                              coefficients.mu,
+                              hn::Div(hn::Set(d, 1), inverse_mass),
+                              touching,
+                              hn::AndNot(hn::Gt(t.overlap_old, zero), touching)};
+      store_wear(c, step.dt, step.finnie_force_ratio, walls.wear, at);
+    }
     store3(r.spring, walls.spring, at);
     store3(r.force, walls.force, at);
     store3(r.moment, walls.moment, at);

@@ -46,7 +46,8 @@ struct Known {
     LinerHistogram liner = make_liner_histogram();
     constexpr double kDt = 1e-3;
     const auto touch = [&](double degree, double loss, LinerTouch kind) {
-      add_to_liner(place(degree + moved(block)) * kDegree, kDt, loss, kind, liner);
+      const double angle = place(degree + moved(block)) * kDegree;
+      add_to_liner(liner_bin(std::cos(angle), std::sin(angle)), kDt, loss, kind, liner);
     };
     for (int k = 0; k < 10 * (head + 360 - toe); ++k) touch(toe + 0.1 * k, 1, LinerTouch::kSlow);
     // 95 % of the joules up to last_hit, the rest 10 degrees beyond.
@@ -146,21 +147,38 @@ TEST(AngleError, IgnoresTurnsAndWhatWasNotFound) {
   EXPECT_TRUE(std::isnan(angle_error(0, std::vector<double>{kNan, 1})));
 }
 
-TEST(LinerHistogram, TakesEachContactAtItsAngle) {
+TEST(LinerHistogram, FindsTheBinOfAPointWithoutItsAngle) {
+  for (int k = 0; k < 100 * 360; ++k) {
+    const double angle = (k + 0.5) / 100 * kDegree, away = std::pow(10, k % 7 - 3);
+    EXPECT_EQ(liner_bin(away * std::cos(angle), away * std::sin(angle)), k / 100) << k;
+  }
+  // Just before and behind where each bin begins.
+  for (int k = 1; k < 360; ++k) {
+    for (const int side : {-1, 1}) {
+      const double angle = k * kDegree + side * 1e-12;
+      EXPECT_EQ(liner_bin(std::cos(angle), std::sin(angle)), side > 0 ? k : k - 1) << k;
+    }
+  }
+  EXPECT_EQ(liner_bin(1, 0), 0);
+  EXPECT_EQ(liner_bin(0, 3), 90);
+  EXPECT_EQ(liner_bin(-2, 0), 180);
+  EXPECT_EQ(liner_bin(0, -1), 270);
+  EXPECT_EQ(liner_bin(1, -1e-20), 359);
+  EXPECT_EQ(liner_bin(0, 0), 0);
+}
+
+TEST(LinerHistogram, TakesEachContactInItsBin) {
   LinerHistogram liner = make_liner_histogram(4);
-  add_to_liner(0.1, 1e-3, 2, LinerTouch::kSlow, liner);
-  add_to_liner(0.1 - 2 * kPi, 1e-3, 3, LinerTouch::kHit, liner);
-  add_to_liner(-0.1, 1e-3, 5, LinerTouch::kHit, liner);
-  add_to_liner(-1e-20, 1e-3, 0, LinerTouch::kHit, liner);  // a full turn, to rounding
-  add_to_liner(kPi + 0.1, 1e-3, 7, LinerTouch::kHit, liner);
-  EXPECT_NEAR(liner.contact_time[0] + liner.contact_time[3], 4e-3, 1e-18);
-  EXPECT_EQ(liner.contact_time[1], 0);
-  EXPECT_EQ(liner.contact_time[2], 1e-3);
+  add_to_liner(0, 1e-3, 2, LinerTouch::kSlow, liner);
+  add_to_liner(0, 1e-3, 3, LinerTouch::kHit, liner);
+  add_to_liner(3, 1e-3, 5, LinerTouch::kHit, liner);
+  add_to_liner(2, 1e-3, 7, LinerTouch::kHit, liner);
+  EXPECT_EQ(liner.contact_time, (std::vector<double>{2e-3, 0, 1e-3, 1e-3}));
   EXPECT_EQ(liner.hit_dissipation, (std::vector<double>{3, 0, 7, 5}));
   LinerHistogram sum = liner;
   add_liner(liner, sum);
   EXPECT_EQ(sum.hit_dissipation[2], 14);
-  EXPECT_NEAR(hit_speed(-2, 0.5), 0.2, 1e-15);
+  EXPECT_NEAR(hit_speed2(4, 0.5), 0.04, 1e-15);
 }
 
 }  // namespace

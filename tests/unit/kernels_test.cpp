@@ -7,6 +7,7 @@
 #include <bit>
 
 #include "kernels/contact.h"
+#include "kernels/wear.h"
 #include "tests/support/kernel_checks.h"
 #include "tests/support/trap_fp.h"
 
@@ -39,9 +40,10 @@ void check_pairs(const CaseOptions& o, std::size_t count, std::size_t own, unsig
   for (std::size_t k = 0; k < count; ++k) {
     const Index i = cases.i[k], j = cases.j[k];
     contact.push_back(twin::sphere_sphere(step, cases.particles(), i, j));
-    expected.push_back(twin::respond(
-        twin::coefficients(step.law, tag_material(cases.traits[i].tag), tag_material(cases.traits[j].tag)),
-        contact[k], cases.history(k), {step.dt, o.clamped, o.rolling, kEps<Real>}));
+    expected.push_back(twin::respond(twin::coefficients(step.law, tag_material(cases.traits[i].tag),
+                                                        tag_material(cases.traits[j].tag)),
+                                     contact[k], cases.history(k),
+                                     {step.dt, o.clamped, o.rolling, kEps<Real>}));
     if (k < own) tally.add(contact[k], expected[k]);
   }
   Rows rows(2 * count);
@@ -76,7 +78,8 @@ TYPED_TEST(KernelTwins, OfSphereSphereAgreeOnEveryTarget) {
       for (std::size_t count = 1; count <= kMostContacts; ++count) {
         SCOPED_TRACE(target + ", " + test::name_of(o) + ", " + std::to_string(count));
         const std::size_t slots = (count + kPairPad - 1) / kPairPad * kPairPad;
-        check_pairs<TypeParam>(o, count, count % 3 == 0 ? slots / (2 * kPairPad) * kPairPad : slots, ++seed);
+        check_pairs<TypeParam>(o, count, count % 3 == 0 ? slots / (2 * kPairPad) * kPairPad : slots,
+                               ++seed);
         if (testing::Test::HasFailure()) return;
       }
     }
@@ -94,9 +97,10 @@ TEST(KernelCases, CoverEveryStateOfAContact) {
     for (std::size_t k = 0; k < kMostContacts; ++k) {
       const Index i = cases.i[k], j = cases.j[k];
       const twin::Contact c = twin::sphere_sphere(step, cases.particles(), i, j);
-      const twin::Response r = twin::respond(
-          twin::coefficients(step.law, tag_material(cases.traits[i].tag), tag_material(cases.traits[j].tag)), c,
-          cases.history(k), {step.dt, o.clamped, o.rolling, 0});
+      const twin::Response r =
+          twin::respond(twin::coefficients(step.law, tag_material(cases.traits[i].tag),
+                                           tag_material(cases.traits[j].tag)),
+                        c, cases.history(k), {step.dt, o.clamped, o.rolling, 0});
       fresh += r.fresh;
       held += c.touching && !r.fresh && !r.slides;
       slid += c.touching && !r.fresh && r.slides;
@@ -225,17 +229,51 @@ TYPED_TEST(KernelTwins, OfExchangedPartnersAreOpposite) {
   });
 }
 
+// What lane k of the walls has worn off, against wear_of() with the force that the kernel wrote.
+template <class Real>
+void expect_wear(const StepConstants<double>& step, const ParticleView<Real>& p,
+                 const WallContacts& walls, std::size_t k, double friction) {
+  const auto row = [&](int from) {
+    return Vec3(walls.geometry[from][k], walls.geometry[from + 1][k], walls.geometry[from + 2][k]);
+  };
+  const Record<Real>& r = p.record[walls.particle[k]];
+  const Vec3 velocity(r.vx, r.vy, r.vz), spin(r.wx, r.wy, r.wz);
+  WearContact c;
+  c.normal = row(0);
+  c.force = {walls.force[0][k], walls.force[1][k], walls.force[2][k]};
+  c.velocity = velocity - row(8);
+  const double arm = static_cast<double>(r.radius) - 0.5 * walls.geometry[3][k];
+  c.at_point = c.velocity - arm * spin.cross(c.normal);
+  c.braked = step.wear_absolute ? velocity : c.velocity;
+  c.slide = walls.energies[2][k];
+  c.friction = friction;
+  c.mass = 1 / static_cast<double>(p.traits[walls.particle[k]].inverse_mass);
+  c.touching = walls.geometry[3][k] > 0;
+  c.first_touch = c.touching && !(walls.geometry[7][k] > 0);
+  const WearRow expected = wear_of(c, step.dt, step.finnie_force_ratio);
+  const double unit = kUnits * kEps<double>, impulse = step.dt * c.force.norm();
+  const double speed = c.velocity.norm() + arm * spin.norm();
+  const WearRow scale = {impulse * speed,        0,       impulse * speed,
+                         c.mass * speed * speed, impulse, impulse};
+  for (std::size_t sum = 0; sum < kWearSums; ++sum) {
+    EXPECT_NEAR(walls.wear[sum][k], expected[sum], unit * scale[sum]) << "sum " << sum;
+  }
+}
+
 // Wall contacts are f64 in every precision.
 template <class Real>
 void check_walls(const CaseOptions& o, std::size_t count, unsigned seed) {
   const RandomLaw<double> law(o, seed);
   const RandomLaw<Real> pair_law(o, seed);
   PairCases<Real> cases(count, o, pair_law, seed);  // for its particles
-  const StepConstants<double> step = test::constants(o, law);
+  StepConstants<double> step = test::constants(o, law);
+  step.wears = true;
+  step.wear_absolute = seed % 2 == 0;
+  step.finnie_force_ratio = 1.5;
   test::Random random(seed);
   const std::size_t padded = (count + kPairPad - 1) / kPairPad * kPairPad;
   Column<double> numbers;
-  numbers.reset(padded * (WallContacts::kGeometry + 14));
+  numbers.reset(padded * (WallContacts::kGeometry + 14 + kWearSums));
   numbers.fill(0);
   Column<Index> particle;
   Column<std::uint32_t> material;
@@ -251,6 +289,7 @@ void check_walls(const CaseOptions& o, std::size_t count, unsigned seed) {
   for (double*& m : walls.moment) m = std::exchange(row, row + padded);
   walls.wall_work = std::exchange(row, row + padded);
   for (double*& e : walls.energies) e = std::exchange(row, row + padded);
+  for (double*& w : walls.wear) w = std::exchange(row, row + padded);
   walls.particle = particle.data();
   walls.material = material.data();
   walls.count = padded;
@@ -326,6 +365,9 @@ void check_walls(const CaseOptions& o, std::size_t count, unsigned seed) {
     EXPECT_NEAR(walls.energies[1][k], r.elastic, kUnits * r.elastic_error);
     EXPECT_NEAR(walls.energies[2][k], r.slide, kUnits * r.slide_error);
     EXPECT_NEAR(walls.energies[3][k], r.tangential_damping, kUnits * r.damping_error);
+    const auto coefficients =
+        twin::coefficients(step.law, tag_material(cases.traits[2 * k].tag), material[k]);
+    expect_wear(step, cases.particles(), walls, k, coefficients.mu);
   }
   tally.expect(got, kEps<double>);
 }

@@ -79,6 +79,34 @@ TEST(WearCells, APointIsFoundInTheCellThatHoldsIt) {
   }
 }
 
+TEST(WearCells, APointStaysInItsCellAsFarAsItHasRoomAndNoFarther) {
+  const Facets facets = one_triangle({1, 2, 3}, {2, 2.7, 3}, {-4, 2, 6});
+  const WearGrid grid(facets, 0.2, 7);
+  const Vec3 a = facets.vertex[0], b = facets.vertex[1] - a, c = facets.vertex[2] - a;
+  const Vec3 normal = facets.normal[0], first = b.normalized(), second = normal.cross(first);
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> unit(0.1, 0.45);
+  for (int n = 0; n < 2000; ++n) {
+    const Vec3 x = a + unit(random) * b + unit(random) * c;
+    double room = -1;
+    const Index cell = grid.cell_at(0, x, room);
+    EXPECT_EQ(cell, grid.cell_at(0, x));
+    ASSERT_GE(room, 0);
+    EXPECT_LT(room, 0.1);
+    bool leaves = false;
+    for (int k = 0; k < 720; ++k) {
+      const double angle = k * kPi / 360;
+      const Vec3 way = std::cos(angle) * first + std::sin(angle) * second;
+      EXPECT_EQ(grid.cell_at(0, Vec3(x + room * way + 0.3 * normal)), cell);
+      leaves |= grid.cell_at(0, Vec3(x + 1.01 * room * way)) != cell;
+    }
+    EXPECT_TRUE(leaves) << n;
+  }
+  double room = -1;
+  grid.cell_at(0, Vec3(a - b), room);
+  EXPECT_EQ(room, 0) << "beside the facet";
+}
+
 TEST(WearCells, CutAMillsLongFacetsIntoPiecesAsWideAsHigh) {
   Scene scene = scene_of(kMillOfSpheres);
   scene.wear = WearSpec();
