@@ -58,7 +58,7 @@ void CollisionTally::end_episode(std::size_t kind, double dissipated, double app
                     static_cast<std::uint16_t>(energy_bin(approach)), dissipated, approach});
 }
 
-void CollisionTally::add_to(Collisions& all, double dt) const {
+void CollisionTally::add_to(Collisions& all) const {
   const bool opening = all.recording == Recording::kOpening;
   for (std::size_t kind = 0; kind < kinds_.size(); ++kind) {
     if (opening) {
@@ -76,7 +76,7 @@ void CollisionTally::add_to(Collisions& all, double dt) const {
   if (all.liner.empty()) return;
   LinerHistogram& liner = all.liner[all.liner_block];
   for (const OnLiner& t : liner_) {
-    add_to_liner(t.bin, dt, t.normal_dissipation, t.touch, liner);
+    add_to_liner(t.bin, liner_time_, t.normal_dissipation, t.touch, liner);
   }
 }
 

@@ -18,9 +18,11 @@ double energy_bin_from(std::size_t bin) noexcept;
 
 class CollisionTally {
  public:
-  // `groups` outlives what is told until the next reset.
-  void reset(const Groups& groups) {
+  // `groups` outlives what is told until the next reset; `liner_time` (s): of a contact with a
+  // mill's liner in this step, see liner_time().
+  void reset(const Groups& groups, double liner_time) {
     groups_ = &groups;
+    liner_time_ = liner_time;
     kinds_.assign(groups.kinds(), ContactEnergies());
     ended_.clear();
     begun_.clear();
@@ -31,6 +33,8 @@ class CollisionTally {
   void begin_episode(std::size_t kind, double impact);
   void end_episode(std::size_t kind, double dissipated, double approach);
 
+  // Whether slow contacts with the liner are told in this step.
+  bool samples_liner() const { return liner_time_ > 0; }
   // A contact with a mill's liner at (x, y) from the axis that lost so much (J) to damping along
   // the normal in this step.
   void touch_liner(double x, double y, double normal_dissipation, LinerTouch touch) {
@@ -38,7 +42,7 @@ class CollisionTally {
   }
 
   // To the sums of now: the opening step sets the energies of the springs and counts nothing.
-  void add_to(Collisions& all, double dt) const;
+  void add_to(Collisions& all) const;
 
  private:
   struct Binned {
@@ -47,6 +51,7 @@ class CollisionTally {
     double energy, approach;  // J
   };
   const Groups* groups_ = nullptr;
+  double liner_time_ = 0;  // s
   std::vector<ContactEnergies> kinds_;
   struct OnLiner {
     double normal_dissipation;

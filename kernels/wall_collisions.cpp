@@ -46,8 +46,10 @@ Episode follow_wall_contact(const World<Real>& world, std::size_t kind, const Wa
     const Body& body = world.bodies[world.walls[told.wall].body];
     const double fast2 = hit_speed2(body.velocity.spin.squaredNorm(), asked.mill_radius);
     const bool hit = now.approach > 0.5 * told.mass * fast2;
-    tally.touch_liner(told.point.x(), told.point.y(), normal_dissipation(e, now.elastic),
-                      hit ? LinerTouch::kHit : LinerTouch::kSlow);
+    if (hit || tally.samples_liner()) {
+      tally.touch_liner(told.point.x(), told.point.y(), normal_dissipation(e, now.elastic),
+                        hit ? LinerTouch::kHit : LinerTouch::kSlow);
+    }
   }
   now.energy -= e.work;
   now.elastic = e.elastic;

@@ -42,7 +42,7 @@ void BodyStepper<Real>::prepare(const StepConstants<double>& walls, bool rebuilt
     s.tally = PolyhedronTally();
     s.move = MoveTally();
     if (!world_.collisions.on()) continue;
-    s.collisions.tally.reset(world_.groups);
+    s.collisions.tally.reset(world_.groups, liner_time(world_.clock.total_steps, world_.clock.dt));
     s.collisions.wall_episodes.clear();
   }
   const bool first = table_.body.empty();
@@ -320,8 +320,8 @@ void BodyStepper<Real>::add_to(ContactTally& pairs, ContactTally& walls, double&
 }
 
 template <class Real>
-void BodyStepper<Real>::add_collisions(Collisions& all, double dt) const {
-  for (const Stretch& s : stretches_) s.collisions.tally.add_to(all, dt);
+void BodyStepper<Real>::add_collisions(Collisions& all) const {
+  for (const Stretch& s : stretches_) s.collisions.tally.add_to(all);
 }
 
 template <class Real>

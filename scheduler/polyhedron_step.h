@@ -5,8 +5,8 @@
 //   in each tile       groups of spheres near a polyhedron { gather, narrow phase, law, sums }
 //   after the tiles    stretches: { add up forces in fixed order, move, rotate }
 //
-// A stretch writes its pairs, its own list of wall contacts and its sums; bodies move only after all
-// forces are known. The result does not depend on which thread does what.
+// A stretch writes its pairs, its own list of wall contacts and its sums; bodies move only after
+// all forces are known. The result does not depend on which thread does what.
 #pragma once
 
 #include <vector>
@@ -36,16 +36,17 @@ class BodyStepper {
   // Spheres of a tile against bodies.
   void run_tile(std::size_t tile, int worker, const TileRows& rows, ContactTally& tally,
                 CollisionTally* collisions);
-  // Before the bodies move: wall contacts of all stretches in order, who has which groups and pairs.
+  // Before the bodies move: wall contacts of all stretches in order, who has which groups and
+  // pairs.
   void gather();
   void move_stretch(std::size_t stretch);
 
   // In order of stretches.
   void add_to(ContactTally& pairs, ContactTally& walls, double& model_work, MoveTally& move,
               std::vector<WallTotal>& totals) const;
-  void add_collisions(Collisions& all, double dt) const;  // while they are recorded, likewise
-  Fallbacks fallbacks() const;  // of this step
-  void add_wear();              // what the stretches have listed, likewise
+  void add_collisions(Collisions& all) const;  // while they are recorded, likewise
+  Fallbacks fallbacks() const;                 // of this step
+  void add_wear();                             // what the stretches have listed, likewise
 
  private:
   struct Worker {
@@ -76,7 +77,8 @@ class BodyStepper {
   std::vector<Stretch> stretches_;
   BodyTable table_;
   Lists lists_ = Lists::kFresh;
-  // Of each body: pairs as i, groups; the first pair as j, the first wall contact (one more at the end).
+  // Of each body: pairs as i, groups; the first pair as j, the first wall contact (one more at the
+  // end).
   std::vector<Index> pair_begin_, pair_of_, group_begin_, group_of_, first_pair_, first_wall_;
   Column<double> torque_[3];
 };

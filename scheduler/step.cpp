@@ -11,8 +11,6 @@ namespace quern {
 
 namespace {
 
-constexpr std::size_t kTilesAhead = 4;  // whose wear is fetched
-
 template <class Real, class Columns>
 LawTable<Real> table_of(const Columns& law, Index materials) {
   return {law.normal_stiffness.data(),
@@ -95,6 +93,7 @@ void Stepper<Real>::run_walls(std::size_t tile, Worker& worker, const TileRows& 
   collect_wall_contacts(world_, tile, known, worker.lanes);
   if (worker.lanes.size() == 0) return;
   const WallContacts contacts = worker.lanes.view(rows.first);
+  for (const Episode& e : walls.episodes) __builtin_prefetch(&e);
   const Particles<Real>& p = world_.particles;
   kernels_.walls(wall_constants_, {p.record.data(), p.traits.data()}, contacts, rows,
                  tile_totals_[tile].walls);
@@ -120,7 +119,7 @@ void Stepper<Real>::run_tile(std::size_t tile, int worker) {
   CollisionTally* collisions = nullptr;
   if (world_.collisions.on()) {
     collisions = &tile_collisions_[tile];
-    collisions->reset(world_.groups);
+    collisions->reset(world_.groups, liner_time(world_.clock.total_steps, world_.clock.dt));
   }
   run_walls(tile, w, rows, collisions);
   w.times.add(Stage::kSphereWalls, watch);
@@ -245,12 +244,7 @@ void Stepper<Real>::add_tiles() {
 template <class Real>
 void Stepper<Real>::add_wear() {
   if (!world_.wear.records()) return;
-  for (std::size_t tile = 0; tile < tile_wear_.size(); ++tile) {
-    if (tile + kTilesAhead < tile_wear_.size()) {
-      world_.wear.fetch(tile_wear_[tile + kTilesAhead].entries);
-    }
-    world_.wear.add(tile_wear_[tile].entries);
-  }
+  for (const WearList& list : tile_wear_) world_.wear.add(list.entries);
   if (bodies_) bodies_->add_wear();
   world_.wear.time[0] += world_.clock.dt;
 }
@@ -311,9 +305,8 @@ template <class Real>
 void Stepper<Real>::account_collisions() {
   Collisions& all = world_.collisions;
   for (ContactEnergies& kind : all.kinds) kind.elastic = 0;
-  const double dt = world_.clock.dt;
-  for (const CollisionTally& tile : tile_collisions_) tile.add_to(all, dt);
-  if (bodies_) bodies_->add_collisions(all, dt);
+  for (const CollisionTally& tile : tile_collisions_) tile.add_to(all);
+  if (bodies_) bodies_->add_collisions(all);
   if (all.recording == Recording::kOpening) {
     all.recording = Recording::kOn;
     all.start = world_.ledger;

@@ -139,18 +139,10 @@ void Wear::add(std::span<const WearEntry> entries) {
     for (std::size_t k = 0; k < kWearSums; ++k) row[k] += sum[k];
   };
   for (const WearEntry& listed : entries) {
-    const WearEntry entry = listed;
+    const WearEntry entry = listed;  // so that it may stay in registers
     add_to(cells.data() + std::size_t{entry.cell} * kWearSums, entry.sum);
     add_to(walls.data() + std::size_t{entry.wall} * kWearSums, entry.sum);
     add_to(species.data() + std::size_t{entry.species} * kWearSums, entry.sum);
-  }
-}
-
-void Wear::fetch(std::span<const WearEntry> entries) const {
-  for (const WearEntry& entry : entries) {
-    const double* const row = cells.data() + std::size_t{entry.cell} * kWearSums;
-    __builtin_prefetch(row);
-    __builtin_prefetch(row + kWearSums - 1);
   }
 }
 

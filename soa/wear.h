@@ -123,7 +123,6 @@ struct Wear {
   void clear(std::size_t walls_of_scene, std::size_t species_of_scene);
   bool fits() const { return cells.size() == cell_count() * kWearSums; }
   void add(std::span<const WearEntry> entries);
-  void fetch(std::span<const WearEntry> entries) const;  // to the caches, before they are added
   WearRow total_of(const Column<double>& rows, std::size_t row) const;
 };
 
