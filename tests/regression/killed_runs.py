@@ -112,10 +112,11 @@ def left_by(folder):
         summary = json.load(file)
     figures = {key: value for key, value in summary.items()
                if key not in OF_THE_PROCESS and not key.endswith("busy_s")}
-    tables = {name: data.tobytes() if hasattr(data, "tobytes") else data
-              for name, data in arrays(folder / "run.h5").items()}
+    tables = {f"{file}: {name}": data.tobytes() if hasattr(data, "tobytes") else data
+              for file in ("run.h5", "checkpoint.h5")
+              for name, data in arrays(folder / file).items()}
     files = {path.name: path.read_bytes() for path in sorted((folder / "frames").iterdir())}
-    for name in ("checkpoint.h5", "scene.toml", "charge_shape.svg"):
+    for name in ("scene.toml", "charge_shape.svg"):
         files[name] = (folder / name).read_bytes()
     return {"figures": figures, "tables": tables, "files": files}
 
