@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <set>
 #include <vector>
 
@@ -119,6 +120,11 @@ class Reader final : public StateVisitor {
   }
   void get(const std::string& path, const ArrayLayout& layout, void* data) {
     seen_.insert(path);
+    if (const ArrayLayout found = file_.layout(path); !(found == layout)) {
+      file_.fail("read dataset '" + path + "'",
+                 fmt::format("holds {}, expected {}: the checkpoint is of another scene or version",
+                             describe(found), describe(layout)));
+    }
     file_.read(path, layout, data);
     check_hash(file_, path, data, layout.bytes());
   }
@@ -209,6 +215,11 @@ void verify_checkpoint(const std::string& path) {
     file.read(dataset, layout, data.data());
     check_hash(file, dataset, data.data(), data.size());
   }
+}
+
+bool has_checkpoint(const std::string& folder) {
+  return std::filesystem::exists(current_path(folder)) ||
+         std::filesystem::exists(previous_path(folder));
 }
 
 std::string usable_checkpoint(const std::string& folder, std::string* warning) {

@@ -35,6 +35,8 @@ void read_checkpoint(const std::string& path, const VisitState& visit_state);
 // Reads the whole file and checks every hash; SystemError if damaged.
 void verify_checkpoint(const std::string& path);
 
+bool has_checkpoint(const std::string& folder);  // usable or not
+
 // Path of the newest checkpoint in the folder that verifies. `warning` (may be null) is set if that
 // is the previous one, saying why, and else emptied. SystemError if there is none.
 std::string usable_checkpoint(const std::string& folder, std::string* warning = nullptr);

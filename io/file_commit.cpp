@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <string_view>
 #include <utility>
 
 #include "soa/base.h"
@@ -26,8 +27,8 @@ namespace {
 class Descriptor {
  public:
   explicit Descriptor(int fd) : fd_(fd) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
+  Descriptor(Descriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+  Descriptor& operator=(Descriptor&&) = delete;
   ~Descriptor() { close(); }
   int get() const { return fd_; }
   int close() { return fd_ < 0 ? 0 : ::close(std::exchange(fd_, -1)); }
@@ -35,6 +36,40 @@ class Descriptor {
  private:
   int fd_;
 };
+
+Descriptor create(const std::string& what, const PendingFile& pending) {
+  Descriptor file(
+      ::open(pending.temporary().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+  if (file.get() < 0) fail("write", what, pending.temporary(), "open", errno);
+  return file;
+}
+
+Descriptor open_to_read(const std::string& what, const std::string& path) {
+  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.get() < 0) fail("read", what, path, "open", errno);
+  return file;
+}
+
+void write_all(const Descriptor& file, std::string_view text, const std::string& what,
+               const std::string& path) {
+  while (!text.empty()) {
+    const ssize_t n = ::write(file.get(), text.data(), text.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) fail("write", what, path, "write", errno);
+    text.remove_prefix(static_cast<std::size_t>(n));
+  }
+}
+
+// Into `part`, as much as there is; 0 at the end.
+std::size_t read_some(const Descriptor& file, std::string& part, const std::string& what,
+                      const std::string& path) {
+  ssize_t n = -1;
+  do {
+    n = ::read(file.get(), part.data(), part.size());
+  } while (n < 0 && errno == EINTR);
+  if (n < 0) fail("read", what, path, "read", errno);
+  return static_cast<std::size_t>(n);
+}
 
 }  // namespace
 
@@ -78,31 +113,29 @@ void sync_path(const std::string& what, const std::string& path) {
 void write_text_file(const std::string& what, const std::string& path, const std::string& text,
                      Durability durability) {
   PendingFile pending(what, path);
-  Descriptor file(
-      ::open(pending.temporary().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-  if (file.get() < 0) fail("write", what, path, "open", errno);
-  for (std::size_t done = 0; done < text.size();) {
-    const ssize_t n = ::write(file.get(), text.data() + done, text.size() - done);
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) fail("write", what, path, "write", errno);
-    done += static_cast<std::size_t>(n);
-  }
+  Descriptor file = create(what, pending);
+  write_all(file, text, what, path);
   if (file.close() != 0) fail("write", what, path, "close", errno);
   pending.commit(durability);
 }
 
-std::string read_text_file(const std::string& what, const std::string& path) {
-  Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (file.get() < 0) fail("read", what, path, "open", errno);
-  std::string text;
-  char buffer[65536];
-  for (;;) {
-    const ssize_t n = ::read(file.get(), buffer, sizeof buffer);
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) fail("read", what, path, "read", errno);
-    if (n == 0) return text;
-    text.append(buffer, static_cast<std::size_t>(n));
+void copy_file(const std::string& what, const std::string& from, const std::string& to) {
+  Descriptor source = open_to_read(what, from);
+  PendingFile pending(what, to);
+  Descriptor file = create(what, pending);
+  std::string part(std::size_t{1} << 20, '\0');
+  while (const std::size_t n = read_some(source, part, what, from)) {
+    write_all(file, std::string_view(part).substr(0, n), what, to);
   }
+  if (file.close() != 0) fail("write", what, to, "close", errno);
+  pending.commit(Durability::kKill);
+}
+
+std::string read_text_file(const std::string& what, const std::string& path) {
+  Descriptor file = open_to_read(what, path);
+  std::string text, part(65536, '\0');
+  while (const std::size_t n = read_some(file, part, what, path)) text.append(part, 0, n);
+  return text;
 }
 
 }  // namespace quern

@@ -38,6 +38,8 @@ std::string folder_of(const std::string& path);
 
 void write_text_file(const std::string& what, const std::string& path, const std::string& text,
                      Durability durability);
+// The copy has its name once it is whole.
+void copy_file(const std::string& what, const std::string& from, const std::string& to);
 std::string read_text_file(const std::string& what, const std::string& path);
 
 }  // namespace quern

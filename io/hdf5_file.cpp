@@ -62,18 +62,9 @@ constexpr std::array<TypeRow, 7> kTypes = {{{ElementType::kF64, "f64", 8},
                                             {ElementType::kU16, "u16", 2},
                                             {ElementType::kU8, "u8", 1},
                                             {ElementType::kI64, "i64", 8}}};
-
 const TypeRow& row_of(ElementType type) { return kTypes.at(static_cast<std::size_t>(type)); }
 
-static_assert(
-    [] {
-      for (std::size_t i = 0; i < kTypes.size(); ++i) {
-        if (static_cast<std::size_t>(kTypes[i].type) != i) return false;
-      }
-      return true;
-    }(),
-    "kTypes must be in the order of ElementType");
-
+static_assert(std::ranges::is_sorted(kTypes, {}, &TypeRow::type), "in the order of ElementType");
 // In the file and in memory alike: on little-endian machines nothing is converted.
 hid_t file_type(ElementType type) {
   const std::array<hid_t, kTypes.size()> in_order = {H5T_IEEE_F64LE, H5T_IEEE_F32LE, H5T_STD_U64LE,
@@ -145,6 +136,12 @@ void prepare_library() {
     return H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr) >= 0;
   }();
   QUERN_CHECK(once);
+}
+
+// Asked before room is made for what a file claims to hold: nothing in it is packed.
+bool fits(hid_t file, hsize_t rows, hsize_t row_bytes) {
+  hsize_t size = 0;
+  return H5Fget_filesize(file, &size) >= 0 && (row_bytes == 0 || rows <= size / row_bytes);
 }
 
 Handle dataset_creation() {
@@ -312,6 +309,9 @@ ArrayLayout Hdf5File::layout(const std::string& name) const {
   if (rank < 1 || rank > 2) fail("describe dataset '" + name + "'", "unexpected rank");
   std::array<hsize_t, 2> size = {0, 1};
   H5Sget_simple_extent_dims(space.get(), size.data(), nullptr);
+  if (!fits(file_, size[0], size[1]) || !fits(file_, size[0] * size[1], row->bytes)) {
+    fail("describe dataset '" + name + "'", "it is larger than the file");
+  }
   return {row->type, size[0], size[1]};
 }
 
@@ -339,7 +339,7 @@ std::string Hdf5File::read_text(const std::string& name) const {
   const Handle type(H5Dget_type(dataset.get()), H5Tclose);
   const Handle space(H5Dget_space(dataset.get()), H5Sclose);
   if (type.bad() || H5Tget_class(type.get()) != H5T_STRING || H5Tis_variable_str(type.get()) != 0 ||
-      H5Sget_simple_extent_npoints(space.get()) != 1) {
+      H5Sget_simple_extent_npoints(space.get()) != 1 || !fits(file_, 1, H5Tget_size(type.get()))) {
     fail("read text '" + name + "'", "is not one fixed-length string");
   }
   std::string text(H5Tget_size(type.get()), '\0');

@@ -26,28 +26,31 @@ std::string beside(const std::string& path, const char* name) {
   return std::filesystem::path(path).replace_extension(std::string(name) + ".h5").string();
 }
 
-void copy_whole(const std::string& from, const std::string& to) {
-  PendingFile copy("series", to);
-  std::error_code error;
-  std::filesystem::copy_file(from, copy.temporary(),
-                             std::filesystem::copy_options::overwrite_existing, error);
-  if (error) {
-    throw SystemError(
-        fmt::format("cannot write series '{}': copy '{}': {}", to, from, error.message()));
+// Throws if anything cannot be read: a full disk leaves a file that opens and lacks its end.
+void read_everything(const std::string& path) {
+  const Hdf5File file("series", path, FileMode::kRead);
+  std::vector<std::byte> data;
+  for (const std::string& name : file.datasets("/")) {
+    if (file.is_text(name)) {
+      file.read_text(name);
+      continue;
+    }
+    const ArrayLayout layout = file.layout(name);
+    data.resize(layout.bytes());
+    file.read(name, layout, data.data());
   }
-  copy.commit(Durability::kKill);
 }
 
-// The path, after the kept copy has taken the place of a file that does not open.
+// The path, after the kept copy has taken the place of a file that cannot be read.
 const std::string& mend(const std::string& path, SeriesMode mode) {
   const std::string kept = beside(path, "previous"), damaged = beside(path, "damaged");
   if (mode != SeriesMode::kAppend || !std::filesystem::exists(path)) return path;
   try {
-    Hdf5File("series", path, FileMode::kUpdate).close();
+    read_everything(path);
   } catch (const SystemError& error) {
     if (!std::filesystem::exists(kept)) throw;
     rename_file("series", path, damaged);
-    copy_whole(kept, path);
+    copy_file("series", kept, path);
     log_warn(fmt::format("going on with '{}' as '{}', because: {}", kept, path, error.what()));
   }
   return path;
@@ -110,7 +113,7 @@ void SeriesWriter::cut(std::size_t rows) {
   rows_ = rows;
 }
 
-void SeriesWriter::keep() const { copy_whole(path_, beside(path_, "previous")); }
+void SeriesWriter::keep() const { copy_file("series", path_, beside(path_, "previous")); }
 
 void SeriesWriter::append(std::span<const double> row) {
   QUERN_CHECK(row.size() == names_.size());

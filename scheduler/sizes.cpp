@@ -63,7 +63,8 @@ double diameter_at(const Stratum& s, double u) {
 // One species being drawn into the list.
 class SpeciesDraw {
  public:
-  SpeciesDraw(const Scene& scene, std::size_t species, std::vector<ParticleSeed>& out)
+  // `out` may be null for count().
+  SpeciesDraw(const Scene& scene, std::size_t species, std::vector<ParticleSeed>* out)
       : scene_(scene),
         spec_(scene.particles[species]),
         label_(species_label(scene, species)),
@@ -77,6 +78,26 @@ class SpeciesDraw {
     seed_.species = static_cast<std::uint16_t>(species);
     seed_.velocity = scene.fill.velocity;
     if (has_polyhedra(spec_) && spec_.meshes.empty()) fail("polyhedra need a mesh");
+  }
+
+  void count(ParticleCount& sum) const {
+    const auto add = [&](ShapeKind shape, double count) {
+      (shape == ShapeKind::kSphere ? sum.spheres : sum.polyhedra) += count;
+    };
+    if (!spec_.explicit_particles.empty()) {
+      return add(spec_.shape, static_cast<double>(spec_.explicit_particles.size()));
+    }
+    if (!spec_.sizes.empty() && spec_.sizes.front().count) {
+      for (const SizeClass& c : spec_.sizes) {
+        add(shape_of(spec_, c), static_cast<double>(c.count.value_or(0)));
+      }
+      return;
+    }
+    const std::vector<Stratum> strata = make_strata();
+    const std::vector<double> counts =
+        spec_.count ? counts_in_all(strata, static_cast<double>(*spec_.count))
+                    : counts_of_mass(strata, wanted_mass());
+    for (std::size_t k = 0; k < strata.size(); ++k) add(strata[k].shape, counts[k]);
   }
 
   void draw() {
@@ -108,7 +129,7 @@ class SpeciesDraw {
       if (p.orientation) {
         seed_.orientation = Eigen::AngleAxisd(p.orientation->angle, p.orientation->axis);
       }
-      out_.push_back(seed_);
+      out_->push_back(seed_);
     }
   }
 
@@ -124,7 +145,7 @@ class SpeciesDraw {
   void draw_count(const Stratum& s, long count) {
     if (count < 0) fail("a count below 0");
     check_amount(static_cast<double>(count));
-    for (long k = 0; k < count; ++k) out_.push_back(next(s));
+    for (long k = 0; k < count; ++k) out_->push_back(next(s));
   }
 
   // The particle that would be next in the list.
@@ -132,26 +153,40 @@ class SpeciesDraw {
     ParticleSeed seed = seed_;
     seed.radius =
         0.5 *
-        diameter_at(s, CounterRandom(scene_.run.seed, RandomStream::kSize, out_.size()).uniform());
+        diameter_at(s, CounterRandom(scene_.run.seed, RandomStream::kSize, out_->size()).uniform());
     set_mesh(s.shape, seed);
     return seed;
   }
 
   void set_mesh(ShapeKind shape, ParticleSeed& seed) const {
     if (shape == ShapeKind::kSphere) return;
-    seed.mesh = static_cast<std::uint16_t>(out_.size() % spec_.meshes.size());
-    seed.orientation = random_orientation(scene_.run.seed, out_.size());
+    seed.mesh = static_cast<std::uint16_t>(out_->size() % spec_.meshes.size());
+    seed.orientation = random_orientation(scene_.run.seed, out_->size());
   }
 
-  // Numbers in proportion to share / mean mass; the largest remainders get what rounding left.
+  // In proportion to share / mean mass.
+  static std::vector<double> counts_in_all(const std::vector<Stratum>& strata, double all) {
+    std::vector<double> counts;
+    for (const Stratum& s : strata) counts.push_back(s.share / mean_cube(s));
+    const double sum = std::accumulate(counts.begin(), counts.end(), 0.0);
+    for (double& count : counts) count *= all / sum;
+    return counts;
+  }
+
+  std::vector<double> counts_of_mass(const std::vector<Stratum>& strata, double mass) const {
+    std::vector<double> counts;
+    for (const Stratum& s : strata) counts.push_back(s.share * mass / (unit() * mean_cube(s)));
+    return counts;
+  }
+
+  double unit() const { return density_ * kPi / 6; }  // mass over diameter cubed
+
+  // The largest remainders get what rounding left.
   void draw_total_count(const std::vector<Stratum>& strata) {
-    std::vector<double> exact;
-    for (const Stratum& s : strata) exact.push_back(s.share / mean_cube(s));
-    const double sum = std::accumulate(exact.begin(), exact.end(), 0.0);
+    std::vector<double> exact = counts_in_all(strata, static_cast<double>(*spec_.count));
     std::vector<long> count;
     long left = *spec_.count;
     for (double& e : exact) {
-      e *= static_cast<double>(*spec_.count) / sum;
       count.push_back(static_cast<long>(e));
       left -= count.back();
       e -= static_cast<double>(count.back());
@@ -165,16 +200,14 @@ class SpeciesDraw {
   }
 
   void draw_mass(const std::vector<Stratum>& strata, double mass, Rounding rounding) {
-    const double unit = density_ * kPi / 6;  // mass over diameter cubed
-    double expected = 0;
-    for (const Stratum& s : strata) expected += s.share * mass / (unit * mean_cube(s));
-    check_amount(expected);
+    const std::vector<double> expected = counts_of_mass(strata, mass);
+    check_amount(std::accumulate(expected.begin(), expected.end(), 0.0));
     double owed = 0;
     for (const Stratum& s : strata) {
       owed = s.share * mass + (rounding == Rounding::kCarried ? owed : 0);
-      for (ParticleSeed p = next(s); owed > 0.5 * unit * cube(2 * p.radius); p = next(s)) {
-        owed -= unit * cube(2 * p.radius);
-        out_.push_back(p);
+      for (ParticleSeed p = next(s); owed > 0.5 * unit() * cube(2 * p.radius); p = next(s)) {
+        owed -= unit() * cube(2 * p.radius);
+        out_->push_back(p);
       }
     }
   }
@@ -255,7 +288,7 @@ class SpeciesDraw {
   }
 
   void check_amount(double count) const {
-    if (static_cast<double>(out_.size()) + count > kMostParticles) {
+    if (static_cast<double>(out_->size()) + count > kMostParticles) {
       fail("asks for more than 1e9 particles; coarsen the fine end or ask for less");
     }
   }
@@ -263,7 +296,7 @@ class SpeciesDraw {
   const Scene& scene_;
   const ParticleSpec& spec_;
   std::string label_;
-  std::vector<ParticleSeed>& out_;
+  std::vector<ParticleSeed>* out_;
   ParticleSeed seed_;
   double density_ = 0;
 };
@@ -275,9 +308,17 @@ std::vector<ParticleSeed> draw_sizes(const Scene& scene) {
   QUERN_CHECK(scene.materials.size() <= kMostMaterials);
   std::vector<ParticleSeed> particles;
   for (std::size_t s = 0; s < scene.particles.size(); ++s) {
-    SpeciesDraw(scene, s, particles).draw();
+    SpeciesDraw(scene, s, &particles).draw();
   }
   return particles;
+}
+
+ParticleCount count_particles(const Scene& scene) {
+  ParticleCount sum;
+  for (std::size_t s = 0; s < scene.particles.size(); ++s) {
+    SpeciesDraw(scene, s, nullptr).count(sum);
+  }
+  return sum;
 }
 
 void assign_shapes(std::span<const Shape> shapes,

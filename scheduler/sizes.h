@@ -45,8 +45,14 @@ inline constexpr double kBulkSolidFraction = 0.6;
 // ...).
 std::vector<ParticleSeed> draw_sizes(const Scene& scene);
 
-// Gives polyhedra their shape: mesh k of species s is shapes[species_shapes[s][k]]. Seeds point into
-// `shapes`, whose memory has to stay (moving the vector keeps it).
+// How many those will be, without drawing them: of a mass or filling level as expected.
+struct ParticleCount {
+  double spheres = 0, polyhedra = 0;
+};
+ParticleCount count_particles(const Scene& scene);
+
+// Gives polyhedra their shape: mesh k of species s is shapes[species_shapes[s][k]]. Seeds point
+// into `shapes`, whose memory has to stay (moving the vector keeps it).
 void assign_shapes(std::span<const Shape> shapes,
                    std::span<const std::vector<Index>> species_shapes,
                    std::vector<ParticleSeed>& particles);

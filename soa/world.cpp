@@ -99,6 +99,7 @@ void World<Real>::visit(StateVisitor& v) {
   v.later_column("wear/walls", "J, N m, N s", wear.walls, kWearSums);
   v.later_column("wear/species", "J, N m, N s", wear.species, kWearSums);
   v.later_column("wear/time", "s", wear.time, 1);
+  v.later_values("total_mass", "kg", ElementType::kF64, &total_mass, 1);
 }
 
 template struct World<float>;

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "apps/quern/load.h"
+#include "apps/quern/machine.h"
 #include "apps/quern/recorder.h"
 #include "io/log.h"
 #include "scheduler/phases.h"
@@ -41,6 +42,8 @@ void print_contents(const LoadedScene& loaded) {
   }
   log_info(fmt::format("in all       {:>9} particles, {:.6g} kg, solid volume {:.4g} m^3",
                        loaded.seeds.size(), mass, volume));
+  log_info(fmt::format("memory       about {:.0f} MB expected of a run, {:.0f} MB available",
+                       expected_memory(scene) * 1e-6, available_memory() * 1e-6));
   if (!scene.mill) return;
   const MillSpec& mill = *scene.mill;
   const double level = volume / kBulkSolidFraction / (mill_inner_area(mill) * mill.length);
@@ -161,7 +164,7 @@ void print_cost(LoadedScene& loaded, int threads) {
   }
   loaded.shapes = std::move(world.shapes);  // the seeds point there
   const double n = static_cast<double>(seeds.size()), measured = seconds() - start;
-  log_info(fmt::format("memory       {:.0f} MB peak, {:.0f} B per particle",
+  log_info(fmt::format("memory       {:.0f} MB peak so far, {:.0f} B per particle",
                        static_cast<double>(peak_memory()) * 1e-6,
                        static_cast<double>(peak_memory()) / n));
   log_info(fmt::format("time         {} steps; {}", steps,

@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 
+#include "apps/quern/machine.h"
 #include "io/log.h"
 #include "io/mesh_reader.h"
 #include "io/scene_reader.h"
@@ -70,6 +71,16 @@ void load_shapes(const std::vector<std::vector<std::string>>& places, LoadedScen
   }
 }
 
+void refuse_too_large(const Scene& scene) {
+  const double expected = expected_memory(scene), available = available_memory();
+  if (expected <= available) return;
+  const ParticleCount count = count_particles(scene);
+  throw SystemError(fmt::format(
+      "the scene is too large for this machine: its {:.3g} spheres and {:.3g} polyhedra need about "
+      "{:.3g} GB of memory, {:.3g} GB are available",
+      count.spheres, count.polyhedra, expected * 1e-9, available * 1e-9));
+}
+
 LoadedScene finish(SceneResult result) {
   for (const std::string& line : result.warnings) log_warn(line);
   LoadedScene loaded;
@@ -86,6 +97,7 @@ LoadedScene finish(SceneResult result) {
   }
   load_shapes(result.shape_mesh_places, loaded, errors);
   if (!errors.empty()) throw InputErrors{errors};
+  refuse_too_large(loaded.scene);
   loaded.seeds = draw_sizes(loaded.scene);
   assign_shapes(loaded.shapes, loaded.species_shapes, loaded.seeds);
   loaded.dt = choose_time_step(loaded.scene, loaded.seeds);
@@ -94,6 +106,13 @@ LoadedScene finish(SceneResult result) {
 }
 
 }  // namespace
+
+double expected_memory(const Scene& scene) {
+  constexpr double kProgram = 150e6, kOfPolyhedron = 8000;  // B
+  const double of_sphere = scene.run.precision == Precision::kDouble ? 1400 : 1100;
+  const ParticleCount count = count_particles(scene);
+  return kProgram + of_sphere * count.spheres + kOfPolyhedron * count.polyhedra;
+}
 
 LoadedScene load_scene(const std::string& path, const std::vector<std::string>& overrides) {
   return finish(read_scene(path, overrides));

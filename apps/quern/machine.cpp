@@ -1,5 +1,7 @@
 #include "apps/quern/machine.h"
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <barrier>
 #include <cmath>
@@ -38,6 +40,32 @@ double best_pass(int threads, const Prepare& prepare, const Pass& pass) {
   work(0);
   others.clear();
   return best;
+}
+
+// A number in a file of the system; infinity where there is none.
+double number_in(const std::string& path) {
+  std::ifstream file(path);
+  double value = 0;
+  return file >> value ? value : HUGE_VAL;
+}
+
+// The least limit of the control groups, of versions 1 and 2; in a container their own folder is
+// the root of what can be seen.
+double group_limit() {
+  double least = HUGE_VAL;
+  std::ifstream groups("/proc/self/cgroup");
+  for (std::string line; std::getline(groups, line);) {  // number:controllers:path
+    const std::size_t path_at = line.rfind(':') + 1;
+    for (const std::string& path : {std::string(), line.substr(path_at)}) {
+      if (line.find(":memory:") != std::string::npos) {
+        least =
+            std::min(least, number_in("/sys/fs/cgroup/memory" + path + "/memory.limit_in_bytes"));
+      } else if (line.starts_with("0::")) {
+        least = std::min(least, number_in("/sys/fs/cgroup" + path + "/memory.max"));
+      }
+    }
+  }
+  return least;
 }
 
 }  // namespace
@@ -92,6 +120,19 @@ std::string processor_name() {
     if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
   }
   return "unknown processor";
+}
+
+double available_memory() {
+  double available = HUGE_VAL;
+  std::ifstream info("/proc/meminfo");
+  for (std::string line; std::getline(info, line);) {
+    if (line.starts_with("MemAvailable:")) available = 1024 * std::stod(line.substr(13));
+  }
+  rlimit own{};
+  if (getrlimit(RLIMIT_AS, &own) == 0 && own.rlim_cur != RLIM_INFINITY) {
+    available = std::min(available, static_cast<double>(own.rlim_cur));
+  }
+  return std::min(available, group_limit());
 }
 
 }  // namespace quern

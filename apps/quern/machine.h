@@ -1,4 +1,4 @@
-// What the machine allows at this moment: bandwidth of its memory, peak of its arithmetic.
+// What the machine allows at this moment: memory, its bandwidth, peak of its arithmetic.
 #pragma once
 
 #include <string>
@@ -15,5 +15,9 @@ template <class Real>
 double peak_arithmetic(int threads);
 
 std::string processor_name();
+
+// Bytes that a process can take before the machine swaps or ends it: what the system calls
+// available, no more than a limit of its control group or of the process.
+double available_memory();
 
 }  // namespace quern

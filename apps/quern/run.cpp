@@ -10,6 +10,7 @@
 #include <csignal>
 #include <filesystem>
 #include <memory>
+#include <sstream>
 
 #include "apps/quern/load.h"
 #include "apps/quern/recorder.h"
@@ -38,6 +39,8 @@ void on_signal(int signal) {
 double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
+
+std::string scene_file(const std::string& folder) { return folder + "/scene.toml"; }
 
 template <class Real>
 class Run {
@@ -83,16 +86,24 @@ class Run {
   static std::unique_ptr<Start<Real>> start_of(LoadedScene loaded, const RunOptions& options,
                                                const std::string& checkpoint) {
     const bool fresh = checkpoint.empty(), fills = is_filled(loaded.scene);
-    if (fresh && fills) forget_old_run(options);
+    if (fresh && fills) take_folder(options, loaded.scene);
     auto start = std::make_unique<Start<Real>>(std::move(loaded), checkpoint, log_info);
-    if (fresh && !fills) forget_old_run(options);  // it may be what this one starts from
+    if (fresh && !fills)
+      take_folder(options, start->loaded.scene);  // it may have started from there
     return start;
+  }
+
+  // From now on the folder is this run's: one that is killed before its first checkpoint begins
+  // anew from scene.toml.
+  static void take_folder(const RunOptions& options, const Scene& scene) {
+    forget_old_run(options);
+    write_text_file("scene", scene_file(options.out), scene_to_toml(scene), Durability::kPowerCut);
   }
 
   // What another run has left in the folder would be taken for this one's.
   static void forget_old_run(const RunOptions& options) {
     for (const char* name :
-         {"summary.json", "report.html", "checkpoint.h5", "checkpoint.previous.h5"}) {
+         {"scene.toml", "summary.json", "report.html", "checkpoint.h5", "checkpoint.previous.h5"}) {
       std::error_code error;
       fs::remove(fs::path(options.out) / name, error);
       if (error) {
@@ -310,22 +321,54 @@ int start(LoadedScene loaded, const RunOptions& options, const std::string& chec
   return code;
 }
 
+// As it is written, whatever version wrote the text.
+std::string defaults_filled(const std::string& text, const std::string& name,
+                            const std::string& folder) {
+  const SceneResult result = parse_scene(text, name, folder, {}, StartFile::kReadBefore);
+  if (!result.errors.empty()) throw InputErrors{result.errors};
+  return scene_to_toml(result.scene);
+}
+
+// The folder's scene.toml is that of the run whose checkpoint lies there, unless somebody changed
+// one.
+void refuse_another_scene(const std::string& folder, const std::string& checkpoint,
+                          const std::string& text) {
+  const std::string file = scene_file(folder);
+  std::istringstream there(defaults_filled(read_text_file("scene", file), file, folder)),
+      here(defaults_filled(text, checkpoint, folder));
+  std::string wanted, found;
+  while (wanted == found && (there || here)) {
+    if (!std::getline(there, wanted)) wanted.clear();
+    if (!std::getline(here, found)) found.clear();
+  }
+  if (wanted == found) return;
+  throw UserError(
+      fmt::format("'{}' is a checkpoint of another scene than '{}': `{}` there, `{}` here",
+                  checkpoint, file, found, wanted));
+}
+
 }  // namespace
 
 int run_command(const RunOptions& options) {
   LoadedScene loaded = load_scene(options.scene, options.overrides);
   judge_time_step(loaded);
   make_folder("results", options.out);
-  write_text_file("scene", options.out + "/scene.toml", scene_to_toml(loaded.scene),
-                  Durability::kKill);
   return start(std::move(loaded), options, "");
 }
 
 int resume_command(const RunOptions& options) {
+  const std::string scene = scene_file(options.out);
+  if (!has_checkpoint(options.out) && fs::exists(scene)) {
+    log_info("no checkpoint yet: the run begins anew");
+    RunOptions anew = options;
+    anew.scene = scene;
+    return start(load_scene(scene, {}), anew, "");
+  }
   std::string warning;
   const std::string path = usable_checkpoint(options.out, &warning);
   if (!warning.empty()) log_warn(warning);
   const CheckpointHeader header = read_checkpoint_header(path);
+  if (fs::exists(scene)) refuse_another_scene(options.out, path, header.scene_text);
   LoadedScene loaded = load_scene_text(header.scene_text, path, options.out);
   RunOptions with_scene = options;
   with_scene.scene = header.scene_name;

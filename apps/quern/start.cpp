@@ -90,10 +90,11 @@ Start<Real>::Start(LoadedScene from, const std::string& checkpoint, Say say)
   } else if (checkpoint.empty()) {
     start_from(start_path(scene));
   } else {
+    world.total_mass = 0;  // older checkpoints have none; a sum in another order has other bits
     read_checkpoint(checkpoint, [&](StateVisitor& v) { world.visit(v); });
     if (!world.wear.fits()) throw UserError(checkpoint + ": its wear is of other cells");
     warn_of_target<Real>(read_checkpoint_header(checkpoint));
-    count_mass(world);
+    if (world.total_mass == 0) count_mass(world);
   }
   if (!fills) set_groups(world);
   if (rains) {

@@ -354,6 +354,21 @@ TEST(Checkpoint, RefusesAnotherFormat) {
                        "format 99"));
 }
 
+// What a damaged or made-up file claims to hold is not asked of the memory.
+TEST(Checkpoint, RefusesAnArrayLargerThanItsFile) {
+  const TempFolder folder;
+  const std::string path = folder / "checkpoint.h5";
+  Column<double> x;
+  x.reset(0);
+  write_checkpoint(folder.path(), header_of(1), [&](StateVisitor& v) { v.column("x", "m", x, 1); });
+  {
+    Hdf5File file("checkpoint", path, FileMode::kUpdate);
+    file.resize_series(file.create_series("state/y"), std::size_t{1} << 50);
+  }
+  const std::string complaint = complaint_of([&] { verify_checkpoint(path); });
+  EXPECT_TRUE(contains(complaint, "'state/y': it is larger than the file")) << complaint;
+}
+
 TEST(Checkpoint, NamesPathAndReasonWhenItCannotBeWritten) {
   const TempFolder folder;
   write_bytes(folder / "file", "x");

@@ -237,6 +237,40 @@ TEST(Sizes, FollowRosinRammlerBetweenItsCuts) {
   }
 }
 
+// By numbers exactly; by mass to what drawing scatters, some 1/sqrt(n) of thousands, and half a
+// particle a class.
+TEST(Sizes, AreCountedBeforeTheyAreDrawn) {
+  ParticleSpec classes = ore(), share = ore(), curve = ore(), level = ore(), entries = ore();
+  classes.meshes = share.meshes = {"a.stl"};
+  classes.sizes = {counted(0.01, 0.02, 300), counted(0.02, 0.03, 50)};
+  classes.sizes[1].shape = ShapeKind::kPolyhedron;
+  share.count = 5000;
+  share.sizes = {shared(0.01, 0.02, 0.4), shared(0.02, 0.04, 0.6)};
+  share.sizes[0].shape = ShapeKind::kPolyhedron;
+  curve.mass = 50;
+  curve.distribution.kind = DistributionKind::kPassingTable;
+  curve.distribution.passing = {{0.008, 0.0}, {0.016, 0.25}, {0.04, 1.0}};
+  level.diameter = 0.05;
+  level.filling_level = 0.3;
+  entries.explicit_particles.resize(7);
+  for (ExplicitParticle& p : entries.explicit_particles) p.diameter = 0.01;
+  for (const ParticleSpec& spec : {classes, share, curve, level, entries}) {
+    Scene scene = scene_with(spec);
+    scene.mill = MillSpec();
+    scene.mill->diameter = 2;
+    scene.mill->length = 0.5;
+    ParticleCount drawn;
+    for (const ParticleSeed& p : draw_sizes(scene)) {
+      (p.is_sphere() ? drawn.spheres : drawn.polyhedra) += 1;
+    }
+    const ParticleCount count = count_particles(scene);
+    const bool exact = !spec.mass && !spec.filling_level;
+    EXPECT_NEAR(count.spheres, drawn.spheres, exact ? 1 : 0.05 * drawn.spheres);
+    EXPECT_NEAR(count.polyhedra, drawn.polyhedra, 1);
+    EXPECT_GT(drawn.spheres + drawn.polyhedra, 6);
+  }
+}
+
 TEST(Sizes, TakeExplicitParticlesAsTheyAre) {
   ParticleSpec spec = ore();
   spec.explicit_particles = {{Vec3(1, 2, 3), Vec3(4, 5, 6), Vec3(7, 8, 9), 0.5}};
