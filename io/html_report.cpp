@@ -173,6 +173,27 @@ constexpr const char* kHead = R"(<!DOCTYPE html>
 
 }  // namespace
 
+std::string html_page(const PageContents& contents) {
+  const std::string data = fmt::format("{{\"title\":{},{}:{}}}", json_string(contents.title),
+                                       json_string(contents.kind), contents.data);
+  std::string html = kHead;
+  html += fmt::format("<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n",
+                      html_text(contents.title), report_style());
+  html +=
+      "<main id=\"page\"><p class=\"loading\">Reading the page ...</p>"
+      "<noscript><p>This page draws its plots with JavaScript, which is off.</p></noscript>"
+      "</main>\n";
+  html += fmt::format("<script type=\"text/plain\" id=\"data\">{}</script>\n", packed(data));
+  for (std::size_t k = 0; k < contents.blobs.size(); ++k) {
+    html += fmt::format("<script type=\"text/plain\" id=\"blob{}\">{}</script>\n", k,
+                        contents.blobs[k]);
+  }
+  html += "<script>";
+  html += report_program();
+  html += "</script>\n</body>\n</html>\n";
+  return html;
+}
+
 std::string html_report(const std::vector<ReportRun>& runs, const ReportOptions& options) {
   QUERN_CHECK(!runs.empty());
   ViewBudget budget = options.view;
@@ -180,25 +201,8 @@ std::string html_report(const std::vector<ReportRun>& runs, const ReportOptions&
   budget.most_particles = std::max<std::size_t>(1, budget.most_particles / runs.size());
   Page page;
   for (const ReportRun& run : runs) add_run(run, budget, page);
-  const std::string title = title_of(runs, options, page);
-  const std::string data =
-      fmt::format("{{\"title\":{},\"runs\":[{}]}}", json_string(title), page.runs);
-  std::string html = kHead;
-  html += fmt::format("<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n", html_text(title),
-                      report_style());
-  html +=
-      "<main id=\"page\"><p class=\"loading\">Reading the run ...</p>"
-      "<noscript><p>This page draws its plots with JavaScript, which is off.</p></noscript>"
-      "</main>\n";
-  html += fmt::format("<script type=\"text/plain\" id=\"data\">{}</script>\n", packed(data));
-  for (std::size_t k = 0; k < page.blobs.size(); ++k) {
-    html +=
-        fmt::format("<script type=\"text/plain\" id=\"blob{}\">{}</script>\n", k, page.blobs[k]);
-  }
-  html += "<script>";
-  html += report_program();
-  html += "</script>\n</body>\n</html>\n";
-  return html;
+  return html_page(
+      {title_of(runs, options, page), "runs", "[" + page.runs + "]", std::move(page.blobs)});
 }
 
 void write_html_report(const std::string& path, const std::vector<ReportRun>& runs,

@@ -28,8 +28,9 @@ bool starts_with_any(std::string_view name, std::span<const std::string_view> st
 }
 
 bool is_shown(std::string_view name) {
-  constexpr std::array<std::string_view, 5> kLeftOut = {"charge_snapshots/", "final_particles/",
-                                                        "final_polyhedra/", "shapes/", "wear/"};
+  constexpr std::array<std::string_view, 6> kLeftOut = {
+      "charge_snapshots/", "final_particles/", "final_polyhedra/",
+      "shapes/",           "sum_blocks/",      "wear/"};
   if (starts_with_any(name, kLeftOut)) return false;
   return !(name.starts_with("series/walls/") &&
            (name.find("/force_") != std::string_view::npos || name.ends_with("/torque_x") ||

@@ -6,6 +6,7 @@
 
 #include <concepts>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -45,6 +46,22 @@ class Summary {
   void put(const std::string& name, std::string json);
 
   std::vector<std::pair<std::string, std::string>> entries_;  // name, value as JSON
+};
+
+// A summary read back, of a run that has one: what Summary writes, and no other JSON.
+class SummaryFile {
+ public:
+  SummaryFile() = default;                        // none
+  explicit SummaryFile(const std::string& path);  // SystemError where it is no summary
+
+  double number(const std::string& name) const;     // NaN: absent or unknown
+  bool flag(const std::string& name) const;         // false: absent
+  std::string text(const std::string& name) const;  // empty: absent
+  bool empty() const { return entries_.empty(); }
+  std::vector<std::string> names() const;  // sorted
+
+ private:
+  std::map<std::string, std::string> entries_;  // name, value as JSON
 };
 
 }  // namespace quern

@@ -1,4 +1,4 @@
-// The command line of quern: run, resume, report, compare, check, bench, shape, info.
+// The command line of quern: run, resume, report, compare, check, bench, trade, shape, info.
 //
 // Exit codes: 0 fine, 1 a defect of ours, 2 the user's input, 3 the system (disk, files), 4 the run
 // went wrong (and left a checkpoint).
@@ -13,6 +13,7 @@
 #include "apps/quern/report.h"
 #include "apps/quern/run.h"
 #include "apps/quern/shape.h"
+#include "apps/quern/trade.h"
 #include "io/log.h"
 #include "kernels/simd_target.h"
 
@@ -77,6 +78,34 @@ int dispatch(int argc, char** argv) {
       ->check(CLI::IsMember(quern::simd_targets()));
   bench->add_flag("--json", bench_options.json, "for scripts");
 
+  quern::TradeOptions trade_options;
+  CLI::App* trade = app.add_subcommand("trade", "speed against accuracy, one dial at a time");
+  trade->add_option("scene", trade_options.scene, "SCENE.toml, of a mill")->required();
+  trade->add_option("--out", trade_options.out, "folder for the runs and the table")
+      ->default_str("out/trade/<scene>");
+  trade->add_option("--threads", trade_options.threads, "number of threads (0: all)")
+      ->check(CLI::Range(0, 4096));
+  trade->add_option("--set", trade_options.overrides, "key=value, replaces a value of the scene")
+      ->take_all();
+  trade->add_option("--only", trade_options.only, "a dial or setting as --list has it, repeatable")
+      ->take_all();
+  trade->add_option("--steady", trade_options.steady, "turns of the steady state")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1e6));
+  trade->add_option("--lead", trade_options.lead, "turns of a setting before the record")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1e6));
+  trade->add_option("--revolutions", trade_options.revolutions, "turns recorded")
+      ->capture_default_str()
+      ->check(CLI::Range(1e-6, 1e6));
+  trade->add_option("--spheres", trade_options.spheres,
+                    "folder of a run whose end is the steady charge of spheres");
+  trade->add_option("--segment", trade_options.segment, "s, a timed stretch of the default")
+      ->capture_default_str()
+      ->check(CLI::Range(1e-3, 1e3));
+  trade->add_flag("--list", trade_options.list, "shows the settings and runs none");
+  trade->add_flag("--table", trade_options.table, "the table of what is finished; runs none");
+
   quern::ShapeCommand shape_options;
   CLI::App* shape = app.add_subcommand("shape", "what an STL file gives as a polyhedron");
   shape->add_option("file", shape_options.file, "FILE.stl")->required();
@@ -103,6 +132,13 @@ int dispatch(int argc, char** argv) {
   if (compare->parsed()) return quern::compare_command(report_options);
   if (check->parsed()) return quern::check_command(options);
   if (bench->parsed()) return quern::bench_command(bench_options);
+  if (trade->parsed()) {
+    if (trade_options.out.empty()) {
+      trade_options.out =
+          "out/trade/" + std::filesystem::path(trade_options.scene).stem().string();
+    }
+    return quern::trade_command(trade_options);
+  }
   if (shape->parsed()) {
     if (shape_options.out.empty()) shape_options.out = "out/shapes";
     return quern::shape_command(shape_options);

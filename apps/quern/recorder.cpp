@@ -122,8 +122,10 @@ Recorder::Recorder(const std::string& folder, const Scene& scene, double dt,
       tallies_(tally_rows_of(any_polyhedra(scene))),
       collisions_(scene.record.collisions ? std::optional<CollisionRecorder>(groups)
                                           : std::nullopt),
+      first_step_(static_cast<std::uint64_t>(std::llround(record_from_ / dt))),
       series_(folder + "/run.h5", series_quantities(tallies_, walls, collisions_),
-              resumed_at ? SeriesMode::kAppend : SeriesMode::kNew) {
+              resumed_at ? SeriesMode::kAppend : SeriesMode::kNew),
+      blocks_(first_step_, run_steps(scene, dt)) {
   const double every =
       scene.output.series_every > 0 ? scene.output.series_every : run_duration(scene, dt) / 1000;
   series_steps_ = steps_in(every, dt);
@@ -131,7 +133,6 @@ Recorder::Recorder(const std::string& folder, const Scene& scene, double dt,
     frame_steps_ = steps_in(scene.output.frames_every, dt);
     frames_.emplace(folder + "/frames");
   }
-  first_step_ = static_cast<std::uint64_t>(std::llround(record_from_ / dt));
   if (scene.record.charge_shape || ClassRecorder::asked(scene)) {
     snapshots_.emplace(scene, dt, first_step_, run_steps(scene, dt));
     if (scene.record.charge_shape) charge_.emplace(scene, *snapshots_);
@@ -174,6 +175,7 @@ void Recorder::after_step(World<Real>& world) {
                    scene_.output.contacts ? std::optional(contact_frame(world)) : std::nullopt);
   }
   if (snapshots_ && snapshots_->due(step)) take_snapshots(world);
+  if (blocks_.due(step)) blocks_.write(world, series_);
 }
 
 template <class Real>

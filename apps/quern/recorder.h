@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/quern/block_recorder.h"
 #include "apps/quern/charge_recorder.h"
 #include "apps/quern/class_recorder.h"
 #include "apps/quern/collision_recorder.h"
@@ -82,6 +83,7 @@ class Recorder {
   std::optional<SnapshotClock> snapshots_;  // of charge_ and classes_, if there is either
   std::optional<ChargeRecorder> charge_;
   std::optional<ClassRecorder> classes_;
+  BlockRecorder blocks_;
   WindowLines window_lines_;
   double last_power_ = 0, recorded_power_ = 0;
   std::string wear_line_;

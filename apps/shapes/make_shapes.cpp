@@ -5,7 +5,8 @@
 // stretched to the axes of an ellipsoid: what a crusher leaves has flat faces, and where planes
 // meet by chance just three share a corner. Of many draws that one is kept whose shortest edge is
 // longest. ore12 is the rock of Xie et al. (2021): their file has 40 triangles for 12 faces, so it
-// holds two vertices that shape nothing; here one lies on an edge, one inside a face.
+// holds two vertices that shape nothing; here one lies on an edge, one inside a face. ore6, ore20
+// and ore40 are the same rock with fewer and more faces.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -34,7 +35,10 @@ struct RockSpec {
 };
 
 const RockSpec kRocks[] = {
+    {"ore6", 6, {1.0, 0.90, 0.80}, 0.10},
     {"ore12", 12, {1.0, 0.90, 0.80}, 0.10},
+    {"ore20", 20, {1.0, 0.90, 0.80}, 0.06},
+    {"ore40", 40, {1.0, 0.90, 0.80}, 0.03},
     {"rock_blocky_10", 10, {1.0, 0.95, 0.90}, 0.15},
     {"rock_blocky_16", 16, {1.0, 0.85, 0.80}, 0.10},
     {"rock_flat_12", 12, {1.0, 0.85, 0.40}, 0.10},

@@ -25,7 +25,8 @@ export async function blob(number) {
 export async function readPage() {
   const text = new TextDecoder().decode(await unpack(document.getElementById("data").textContent));
   const page = JSON.parse(text);
-  return { title: page.title, runs: page.runs.map((raw, index) => new Run(raw, index)) };
+  const runs = (page.runs ?? []).map((raw, index) => new Run(raw, index));
+  return { title: page.title, runs, trade: page.trade };
 }
 
 export class Run {

@@ -12,12 +12,17 @@ import { formulas } from "./sections/formulas.js";
 import { contents, headline, notes } from "./sections/headline.js";
 import { power } from "./sections/power.js";
 import { spectra } from "./sections/spectra.js";
+import { trade } from "./sections/trade.js";
 import { view } from "./sections/view.js";
 import { wear } from "./sections/wear.js";
 
 async function start() {
   const main = document.getElementById("page");
   const page = await readPage();
+  if (page.trade) {
+    showTrade(main, page);
+    return;
+  }
   const moving = view(page);
   const first = [headline(page), moving].filter(Boolean);
   main.replaceChildren(...first);
@@ -38,6 +43,13 @@ async function start() {
   );
   // For tests and scripts.
   window.quern = { page, plots, clock: moving?.clock ?? null, firstPicture: seconds, ready: true };
+}
+
+function showTrade(main, page) {
+  const [header, ...parts] = trade(page);
+  header.append(contents(parts));
+  main.replaceChildren(header, ...parts, el("footer", {}, `Made by quern ${page.trade.commit}.`));
+  window.quern = { page, plots, ready: true };
 }
 
 start().catch((error) => {

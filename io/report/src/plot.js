@@ -1,8 +1,8 @@
 // A plot with its title, its legend, its keys and its numbers as CSV; uPlot draws.
 //
 // plot({ title, note, x: { label, unit, log, scale }, y: { label, unit, log, zero }, series: [{ label, x, y,
-// error, spread, colour, dash, points }], marks: [{ at, label }] }). Lines may have places (x) of their own. Errors are
-// whiskers, spreads are bands. On log axes what is not positive is left out.
+// error, spread, colour, dash, points, labels }], marks: [{ at, label }] }). Lines may have places (x) of their own. Errors
+// are whiskers, spreads are bands, labels stand beside their points. On log axes what is not positive is left out.
 import uPlot from "uplot";
 import { download, el } from "./dom.js";
 import { axisPrefix, labelled, number, powerOfTen, tickTexts } from "./format.js";
@@ -199,6 +199,27 @@ function drawMarks(marks) {
   };
 }
 
+// Texts beside points, in the colour of their line.
+function drawLabels(spec) {
+  return (u) => {
+    const { ctx, bbox } = u;
+    ctx.save();
+    ctx.font = `${11 * devicePixelRatio}px system-ui, sans-serif`;
+    spec.series.forEach((line, k) => {
+      ctx.fillStyle = colour(line.colour ?? k);
+      line.labels?.forEach((label, i) => {
+        if (usable(line.x[i], spec.x.log) === null || usable(line.y[i], spec.y.log) === null) return;
+        const x = u.valToPos(line.x[i], "x", true),
+          y = u.valToPos(line.y[i], "y", true);
+        const left = x > bbox.left + 0.85 * bbox.width;
+        ctx.textAlign = left ? "right" : "left";
+        ctx.fillText(label, x + (left ? -7 : 7) * devicePixelRatio, y - 5 * devicePixelRatio);
+      });
+    });
+    ctx.restore();
+  };
+}
+
 function rangeOfPlaces(spec) {
   const even = (_, low, high) => {
     const pad = spec.series.some((line) => line.points) ? 0.04 * (high - low || 1) : 0;
@@ -356,7 +377,7 @@ export function plot(fresh) {
             dash: (_, k) => (lines[k].dash ? (lines[k].dash[0] > 3 ? "dashed" : "dotted") : "solid"),
           },
         },
-        hooks: { draw: [whiskers(errors), drawMarks(spec.marks ?? [])] },
+        hooks: { draw: [whiskers(errors), drawMarks(spec.marks ?? []), drawLabels(shown)] },
       },
       data,
       host,
