@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -43,10 +44,10 @@ class VtkFile {
   void state(const std::string& path, const Values& values, const char* unit,
              std::size_t components = 1) {
     QUERN_CHECK(values.size() % components == 0);
-    file_.write(path,
-                {element_type_of<typename Values::value_type>(), values.size() / components,
-                 components},
-                values.data());
+    file_.write(
+        path,
+        {element_type_of<typename Values::value_type>(), values.size() / components, components},
+        values.data());
     file_.set_attribute(path, "unit", unit);
   }
 
@@ -246,16 +247,21 @@ FrameWriter::FrameWriter(std::string folder) : folder_(std::move(folder)) {
   }
 }
 
+// The list first: a kill in between leaves files that nothing names, not names without files.
 void FrameWriter::drop_from(FileSeries& series, int number) const {
-  while (!series.entries.empty() && series.entries.back().number >= number) {
+  const auto first = std::find_if(series.entries.begin(), series.entries.end(),
+                                  [&](const FrameEntry& entry) { return entry.number >= number; });
+  const std::vector<FrameEntry> dropped(first, series.entries.end());
+  if (dropped.empty()) return;
+  series.entries.erase(first, series.entries.end());
+  list(series);
+  for (const FrameEntry& entry : dropped) {
     std::error_code ignored;  // it may be gone already
-    std::filesystem::remove(frame_path(folder_, series.name, series.entries.back().number), ignored);
-    series.entries.pop_back();
+    std::filesystem::remove(frame_path(folder_, series.name, entry.number), ignored);
   }
 }
 
-void FrameWriter::list(FileSeries& series, int number, double time) const {
-  series.entries.push_back({number, time});
+void FrameWriter::list(const FileSeries& series) const {
   std::string text = "{\n  \"file-series-version\": \"1.0\",\n  \"files\": [\n";
   for (const FrameEntry& entry : series.entries) {
     text += fmt::format("    {{\"name\": \"{}_{:06}.hdf\", \"time\": {}}}{}\n", series.name,
@@ -274,19 +280,23 @@ void FrameWriter::write(int number, const ParticleFrame& particles, const WallFr
   for (FileSeries* series : {&particles_, &polyhedra_, &liner_, &contacts_}) {
     drop_from(*series, number);
   }
+  const auto add = [&](FileSeries& series) {
+    series.entries.push_back({number, particles.time});
+    list(series);
+  };
   write_particles(frame_path(folder_, particles_.name, number), particles);
-  list(particles_, number, particles.time);
+  add(particles_);
   if (polyhedra) {
     write_polyhedra(frame_path(folder_, polyhedra_.name, number), particles, *polyhedra);
-    list(polyhedra_, number, particles.time);
+    add(polyhedra_);
   }
   if (contacts) {
     write_contacts(frame_path(folder_, contacts_.name, number), *contacts, particles.time);
-    list(contacts_, number, particles.time);
+    add(contacts_);
   }
   if (walls.wall.empty()) return;
   write_liner(frame_path(folder_, liner_.name, number), walls, particles.time);
-  list(liner_, number, particles.time);
+  add(liner_);
 }
 
 void write_surface(const std::string& path, const SurfaceFrame& frame) {

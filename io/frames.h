@@ -45,7 +45,7 @@ class FrameWriter {
     std::vector<FrameEntry> entries;
   };
   void drop_from(FileSeries& series, int number) const;
-  void list(FileSeries& series, int number, double time) const;
+  void list(const FileSeries& series) const;  // writes the list of its files
 
   std::string folder_;
   FileSeries particles_{"particles", {}};

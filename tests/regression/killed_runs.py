@@ -11,7 +11,8 @@ frames and series every few milliseconds a kill often strikes while a file is wr
   - `quern report` makes a page
   - the next `quern resume` goes on from the newest whole checkpoint
 At the end of each run all that it leaves equals what a run left in peace leaves, byte for byte:
-state, series, tables, frames, checkpoint, figures but for those of the process.
+the hash of the state, series, tables, frames, figures but for those of the process. (Checkpoints also
+hold how far polyhedra were apart when that was last asked: it spares work and depends on resumes.)
 """
 import json
 import pathlib
@@ -112,9 +113,8 @@ def left_by(folder):
         summary = json.load(file)
     figures = {key: value for key, value in summary.items()
                if key not in OF_THE_PROCESS and not key.endswith("busy_s")}
-    tables = {f"{file}: {name}": data.tobytes() if hasattr(data, "tobytes") else data
-              for file in ("run.h5", "checkpoint.h5")
-              for name, data in arrays(folder / file).items()}
+    tables = {name: data.tobytes() if hasattr(data, "tobytes") else data
+              for name, data in arrays(folder / "run.h5").items()}
     files = {path.name: path.read_bytes() for path in sorted((folder / "frames").iterdir())}
     for name in ("scene.toml", "charge_shape.svg"):
         files[name] = (folder / name).read_bytes()
@@ -169,6 +169,9 @@ class Killer:
             before = newest_checkpoint(folder)
             self.torn += "run.h5" in look_at(self.quern, folder)
             self.none_yet += before is None
+            if before is None and not (folder / "scene.toml").is_file():
+                process = self.begin(folder)  # killed before it had written anything
+                continue
             process = self.start("resume", folder, "--threads", random.choice((1, 2)))
         process.wait()
         self.ended_well(process)
