@@ -9,6 +9,7 @@
 
 #include "io/file_commit.h"
 #include "io/hdf5_file.h"
+#include "io/seal.h"
 
 namespace quern {
 namespace {
@@ -146,6 +147,11 @@ void write_header(Hdf5File& file, const CheckpointHeader& header) {
                      hash_bytes(header.scene_text.data(), header.scene_text.size()));
 }
 
+Hdf5File open_sealed(const std::string& path) {
+  check_seal(kWhat, path);
+  return Hdf5File(kWhat, path, FileMode::kRead);
+}
+
 CheckpointHeader read_header(const Hdf5File& file) {
   const std::uint64_t format = file.u64_attribute("/", "format");
   if (format != kFormat) {
@@ -189,15 +195,16 @@ void write_checkpoint(const std::string& folder, const CheckpointHeader& header,
   Writer writer(file);
   visit_state(writer);
   file.close();
+  seal_file(kWhat, pending.temporary());
   pending.commit(Durability::kPowerCut, previous_path(folder));
 }
 
 CheckpointHeader read_checkpoint_header(const std::string& path) {
-  return read_header(Hdf5File(kWhat, path, FileMode::kRead));
+  return read_header(open_sealed(path));
 }
 
 void read_checkpoint(const std::string& path, const VisitState& visit_state) {
-  const Hdf5File file(kWhat, path, FileMode::kRead);
+  const Hdf5File file = open_sealed(path);
   read_header(file);
   Reader reader(file);
   visit_state(reader);
@@ -205,7 +212,7 @@ void read_checkpoint(const std::string& path, const VisitState& visit_state) {
 }
 
 void verify_checkpoint(const std::string& path) {
-  const Hdf5File file(kWhat, path, FileMode::kRead);
+  const Hdf5File file = open_sealed(path);
   read_header(file);
   std::vector<std::byte> data;
   for (const std::string& name : file.datasets(kState)) {

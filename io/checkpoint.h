@@ -4,7 +4,7 @@
 // checkpoint.previous.h5: a kill at any moment leaves a whole checkpoint. Layout: attributes of the
 // root (format, time, step, versions), header/scene_text, and state/NAME for every column and value
 // that World::visit() names. Each dataset has a 64-bit hash of its contents besides HDF5's
-// checksums, which take a block of zeros for good. Plain records are stored as bytes, n x size.
+// checksums, which take a block of zeros for good, and the file ends with a seal (seal.h). Plain records are stored as bytes, n x size.
 #pragma once
 
 #include <functional>

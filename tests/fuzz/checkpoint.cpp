@@ -1,6 +1,6 @@
 // Checkpoints: any bytes are a state or an error that names the reason.
 //
-// Bytes that begin as an HDF5 file does are taken as a file. Checksums turn away nearly all that
+// Bytes that begin as an HDF5 file does are taken as a file. The seal turns away nearly all that
 // becomes of one by chance, so other bytes are a recipe: a whole file with the arrays, types, texts
 // and attributes that they ask for, some right, some wrong, some missing.
 #include "io/checkpoint.h"
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "io/hdf5_file.h"
+#include "io/seal.h"
 #include "tests/fuzz/fuzz.h"
 
 extern "C" const char* __lsan_default_suppressions() {
@@ -92,6 +93,7 @@ void cook(Recipe& recipe, const std::string& path) {
     if (kind & 16) file.set_attribute(name, "hash", 0.5);
   }
   file.close();
+  seal_file("checkpoint", path);
 }
 
 // Empty if there is none.

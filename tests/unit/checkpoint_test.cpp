@@ -15,6 +15,7 @@
 #include <limits>
 
 #include "io/hdf5_file.h"
+#include "io/seal.h"
 #include "tests/support/temp_folder.h"
 
 #if defined(__SANITIZE_ADDRESS__)
@@ -193,34 +194,22 @@ TEST(Checkpoint, KeepsThePreviousOne) {
   EXPECT_FALSE(std::filesystem::exists(folder / "checkpoint.h5.tmp"));
 }
 
-// A flipped byte is reported, or lies where nothing is stored: then the state must be unharmed.
 TEST(Checkpoint, NoticesEveryFlippedByte) {
   const TempFolder folder;
   State state(40, 3);
   write(folder.path(), state);
   const std::string path = folder / "checkpoint.h5", whole = read_bytes(path);
   ASSERT_GT(whole.size(), 4000u);
-  int noticed = 0, tried = 0;
-  for (std::size_t i = 0; i < whole.size(); i += 11) {
+  for (std::size_t i = 0; i < whole.size(); i += 3) {
     std::string damaged = whole;
     damaged[i] = static_cast<char>(damaged[i] ^ (1 << (i % 8)));
     write_bytes(path, damaged);
-    ++tried;
-    if (!complaint_of([&] { verify_checkpoint(path); }).empty()) {
-      ++noticed;
-      continue;
-    }
-    State found;
-    read(path, found);
-    const CheckpointHeader header = read_checkpoint_header(path), want = header_of(state.step);
-    EXPECT_TRUE(same_bits(state, found) && header.scene_text == want.scene_text &&
-                header.time == want.time && header.step == want.step)
-        << "byte " << i;
+    EXPECT_FALSE(complaint_of([&] { verify_checkpoint(path); }).empty()) << "byte " << i;
   }
-  EXPECT_GT(noticed, tried / 4);
 }
 
-// HDF5's checksum of zeros is zero, so blocks that never reached the disk pass it.
+// What the seal does not know of: it is of the file as written, this is wrong before. Of HDF5 too,
+// whose checksum of zeros is zero, so that blocks which never reached the disk pass it.
 TEST(Checkpoint, NoticesDataThatBecameZeros) {
   const TempFolder folder;
   State state(4000, 3);
@@ -232,6 +221,7 @@ TEST(Checkpoint, NoticesDataThatBecameZeros) {
   ASSERT_NE(at, std::string::npos);
   bytes.replace(at, size, size, '\0');
   write_bytes(path, bytes);
+  seal_file("checkpoint", path);
   const std::string complaint = complaint_of([&] { verify_checkpoint(path); });
   EXPECT_TRUE(contains(complaint, "wrong hash")) << complaint;
 }
@@ -342,6 +332,15 @@ TEST(Checkpoint, RefusesWhatIsMissingAndWhatIsLeftOver) {
                        "'state/group/b': this scene has no such state"));
 }
 
+TEST(Checkpoint, RefusesAFileWithoutASeal) {
+  const TempFolder folder;
+  State state(1, 1);
+  write(folder.path(), state);
+  const std::string path = folder / "checkpoint.h5";
+  { Hdf5File(std::string("checkpoint"), path, FileMode::kUpdate).set_attribute("/", "time", 1.0); }
+  EXPECT_TRUE(contains(complaint_of([&] { read_checkpoint_header(path); }), "no seal"));
+}
+
 TEST(Checkpoint, RefusesAnotherFormat) {
   const TempFolder folder;
   State state(1, 1);
@@ -350,6 +349,7 @@ TEST(Checkpoint, RefusesAnotherFormat) {
     Hdf5File file("checkpoint", folder / "checkpoint.h5", FileMode::kUpdate);
     file.set_attribute("/", "format", std::uint64_t{99});
   }
+  seal_file("checkpoint", folder / "checkpoint.h5");
   EXPECT_TRUE(contains(complaint_of([&] { read_checkpoint_header(folder / "checkpoint.h5"); }),
                        "format 99"));
 }
@@ -365,6 +365,7 @@ TEST(Checkpoint, RefusesAnArrayLargerThanItsFile) {
     Hdf5File file("checkpoint", path, FileMode::kUpdate);
     file.resize_series(file.create_series("state/y"), std::size_t{1} << 50);
   }
+  seal_file("checkpoint", path);
   const std::string complaint = complaint_of([&] { verify_checkpoint(path); });
   EXPECT_TRUE(contains(complaint, "'state/y': it is larger than the file")) << complaint;
 }

@@ -25,7 +25,7 @@ HOMES = {
     r"hwy/": ["kernels/", "tests/"],
     r"(tbb|oneapi)/": ["scheduler/graph.cpp"],
     r"(hdf5|H5\w+)\.h": ["io/hdf5_file.cpp"],
-    r"zlib\.h": ["io/packed.cpp", "tests/"],
+    r"zlib\.h": ["io/packed.cpp", "io/seal.cpp", "tests/"],
     r"toml\+\+/": ["io/toml_reader.cpp"],
     r"libqhull": ["kernels/polyhedron.cpp", "tests/unit/polyhedron_overlap_test.cpp"],
     r"CLI/": ["apps/quern/main.cpp"],
