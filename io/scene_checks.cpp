@@ -228,20 +228,57 @@ void warn_restitution(const SceneCheck& check, const std::string& path,
                     *restitution, kLeastClamped));
 }
 
+void warn_unused(const SceneCheck& check, const std::string& path, const char* needed) {
+  if (!check.context.trace.given(path)) return;
+  const std::string key = path.substr(path.rfind('.') + 1);
+  check.context.messages.warning(check.context.trace.place(path),
+                                 fmt::format("'{}' is not used: it needs {}", key, needed));
+}
+
+// Moduli of all materials that can touch, in place of stiffnesses.
+void check_hertz_mindlin(const SceneCheck& check) {
+  std::vector<std::string> touching = wall_materials(check.draft);
+  for (const ParticleSpec& species : check.scene.particles) touching.push_back(species.material);
+  for (const Material& material : check.scene.materials) {
+    if (std::find(touching.begin(), touching.end(), material.name) == touching.end()) continue;
+    const auto need = [&](const char* key, const std::optional<double>& value) {
+      const std::string path = fmt::format("materials.{}.{}", material.name, key);
+      if (!value && check.good({path}))
+        check.error("materials." + material.name,
+                    fmt::format("material '{}' needs a '{}': law = \"hertz-mindlin\" asks for it",
+                                material.name, key));
+    };
+    need("young_modulus", material.young_modulus);
+    need("poisson_ratio", material.poisson_ratio);
+  }
+  if (check.scene.contact.normal_model == NormalModel::kVolume &&
+      check.good({"contact.normal_model"}))
+    check.error("contact.normal_model",
+                "'normal_model': \"volume\" is no Hertz contact: it needs law = "
+                "\"linear-spring-dashpot\"");
+  const char* const needed = "law = \"linear-spring-dashpot\"";
+  for (const char* key : {"normal_stiffness", "tangential_stiffness"}) {
+    warn_unused(check, fmt::format("contact.{}", key), needed);
+    for (std::size_t i = 0; i < check.scene.contact.pairs.size(); ++i)
+      warn_unused(check, fmt::format("contact.pair[{}].{}", i, key), needed);
+  }
+}
+
 void check_contact(const SceneCheck& check) {
   using P = PairCoefficients;
   using C = ContactSpec;
   check_pairs(check);
-  check_coefficient(check, "normal_stiffness", &P::normal_stiffness, &C::normal_stiffness);
-  check_coefficient(check, "tangential_stiffness", &P::tangential_stiffness,
-                    &C::tangential_stiffness);
+  if (check.scene.contact.law == ForceLaw::kHertzMindlin) {
+    check_hertz_mindlin(check);
+  } else {
+    check_coefficient(check, "normal_stiffness", &P::normal_stiffness, &C::normal_stiffness);
+    check_coefficient(check, "tangential_stiffness", &P::tangential_stiffness,
+                      &C::tangential_stiffness);
+  }
   check_coefficient(check, "restitution", &P::restitution, &C::restitution);
   check_coefficient(check, "sliding_friction", &P::sliding_friction, &C::sliding_friction);
-  if (check.scene.contact.volume_stiffness &&
-      check.scene.contact.normal_model != NormalModel::kVolume)
-    check.context.messages.warning(
-        check.context.trace.place("contact.volume_stiffness"),
-        "'volume_stiffness' is not used: it needs normal_model = \"volume\"");
+  if (check.scene.contact.normal_model != NormalModel::kVolume)
+    warn_unused(check, "contact.volume_stiffness", "normal_model = \"volume\"");
   warn_restitution(check, "contact.restitution", check.scene.contact.restitution);
   for (std::size_t i = 0; i < check.scene.contact.pairs.size(); ++i)
     warn_restitution(check, fmt::format("contact.pair[{}].restitution", i),

@@ -19,7 +19,7 @@
 
 namespace quern {
 
-enum class Range { kAny, kPositive, kNotNegative, kFraction, kShare, kAcute };
+enum class Range { kAny, kPositive, kNotNegative, kFraction, kShare, kPoisson, kAcute };
 enum class Need { kOptional, kRequired };
 
 struct Key {
@@ -44,7 +44,7 @@ inline constexpr const char* kMotionWords[] = {"fixed", "rotation", "translation
 inline constexpr const char* kDirectionWords[] = {"counterclockwise", "clockwise"};
 inline constexpr const char* kWallWords[] = {"mesh", "plane", "box"};
 inline constexpr const char* kSettleWords[] = {"none", "until-rest"};
-inline constexpr const char* kLawWords[] = {"linear-spring-dashpot"};
+inline constexpr const char* kLawWords[] = {"linear-spring-dashpot", "hertz-mindlin"};
 inline constexpr const char* kShapeWords[] = {"sphere", "polyhedron"};
 inline constexpr const char* kOverlapWords[] = {"chord", "width"};
 inline constexpr const char* kNormalModelWords[] = {"stiffness", "volume"};
@@ -58,6 +58,7 @@ inline Words words_of(FillMethod) { return kFillWords; }
 inline Words words_of(MotionKind) { return kMotionWords; }
 inline Words words_of(Direction) { return kDirectionWords; }
 inline Words words_of(WallKind) { return kWallWords; }
+inline Words words_of(ForceLaw) { return kLawWords; }
 inline Words words_of(ShapeKind) { return kShapeWords; }
 inline Words words_of(OverlapMeasure) { return kOverlapWords; }
 inline Words words_of(NormalModel) { return kNormalModelWords; }
@@ -151,9 +152,9 @@ void fields(Io& io, DomainSpec& domain) {
 template <class Io, class Spec>
 void coefficient_fields(Io& io, Spec& spec) {
   using enum Dimension;
-  io({"normal_stiffness", "spring along the normal", kStiffness, Range::kPositive},
+  io({"normal_stiffness", "spring along the normal, of the linear law", kStiffness, Range::kPositive},
      spec.normal_stiffness);
-  io({"tangential_stiffness", "spring along the surface", kStiffness, Range::kPositive},
+  io({"tangential_stiffness", "spring along the surface, of the linear law", kStiffness, Range::kPositive},
      spec.tangential_stiffness);
   io({"restitution", "rebound speed over impact speed", kNumber, Range::kFraction},
      spec.restitution);
@@ -172,7 +173,7 @@ void fields(Io& io, PairCoefficients& pair) {
 
 template <class Io>
 void fields(Io& io, ContactSpec& contact) {
-  io.word({"law", "force law"}, kLawWords, contact.law);
+  io({"law", "springs of all contacts"}, contact.law);
   io({"normal_force", "clamped: never pulls; unclamped: the plain dashpot"}, contact.normal_force);
   io({"tangential_damping", "dashpot along the surface"}, contact.tangential_damping);
   coefficient_fields(io, contact);
@@ -183,6 +184,10 @@ void fields(Io& io, ContactSpec& contact) {
   io({"volume_stiffness", "of normal_model = \"volume\"; default: stiffness / smaller radius",
       Dimension::kPressure, Range::kPositive},
      contact.volume_stiffness);
+  io({"impact_speed",
+      "of law = \"hertz-mindlin\", for advice on steps; default: of walls, falls, first velocities",
+      Dimension::kSpeed, Range::kPositive},
+     contact.impact_speed);
   io({"patch_damping", "of polyhedra: dashpots against rocking and drilling"},
      contact.patch_damping);
   io.tables({"pair", "coefficients of a pair of materials"}, contact.pairs);
@@ -194,6 +199,10 @@ void fields(Io& io, Material& material) {
   io({"density", "needed where particles use the material", kDensity, Range::kNotNegative},
      material.density);
   io({"hardness", "Vickers; 0: not given", kHardness, Range::kNotNegative}, material.hardness);
+  io({"young_modulus", "of law = \"hertz-mindlin\"", kPressure, Range::kPositive},
+     material.young_modulus);
+  io({"poisson_ratio", "of law = \"hertz-mindlin\"", kNumber, Range::kPoisson},
+     material.poisson_ratio);
 }
 
 template <class Io>

@@ -106,9 +106,6 @@ class SceneWriter {
   void operator()(const Key& key, const std::string& value) {
     if (!value.empty()) put(key, value_text(key, value));
   }
-  void word(const Key& key, Words words, const std::string& value) {
-    if (words.size() > 1 || style_ == Style::kLines) put(key, quote(value));
-  }
   void word_or_quantity(const Key& key, Words words, int present, double value,
                         const std::function<void(int)>&) {
     put(key,
@@ -198,6 +195,8 @@ const char* range_note(Range range) {
       return " in (0, 1]";
     case Range::kShare:
       return " in [0, 1]";
+    case Range::kPoisson:
+      return " in [0, 0.5]";
     case Range::kAcute:
       return " in [0, 90 deg)";
     default:
@@ -251,9 +250,6 @@ class KeyLister {
     T value = zero_of<T>();
     (*this)(key, value);
     keys_.back().fallback.clear();
-  }
-  void word(const Key& key, Words words, const std::string& value) {
-    add(key, joined(words), value);
   }
   void word_or_quantity(const Key& key, Words words, int present, double&,
                         const std::function<void(int)>&) {

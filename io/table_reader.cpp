@@ -59,6 +59,8 @@ bool in_range(double value, Range range) {
       return value > 0 && value <= 1;
     case Range::kShare:
       return value >= 0 && value <= 1;
+    case Range::kPoisson:
+      return value >= 0 && value <= 0.5;
     case Range::kAcute:
       return value >= 0 && value < kPi / 2;
     default:
@@ -76,6 +78,8 @@ const char* range_text(Range range) {
       return "must be greater than 0 and at most 1";
     case Range::kShare:
       return "must be between 0 and 1";
+    case Range::kPoisson:
+      return "must be between 0 and 0.5";
     case Range::kAcute:
       return "must be at least 0 deg and less than 90 deg";
     default:
@@ -295,12 +299,6 @@ void TableReader::read_word(const Key& key, Words words, int& value) {
   fail(key, *node,
        fmt::format("'{}': \"{}\" is not known{} ({})", key.name, node->text,
                    did_you_mean(node->text, strings_of(words), '"'), list_of(words)));
-}
-
-void TableReader::word(const Key& key, Words words, std::string& value) {
-  int index = -1;
-  read_word(key, words, index);
-  if (index >= 0) value = words[static_cast<std::size_t>(index)];
 }
 
 void TableReader::word_or_quantity(const Key& key, Words words, int, double& value,

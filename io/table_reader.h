@@ -72,7 +72,6 @@ class TableReader {
   }
   void operator()(const Key& key, std::optional<Vec3>& value);
 
-  void word(const Key& key, Words words, std::string& value);
   void word_or_quantity(const Key& key, Words words, int present, double& value,
                         const std::function<void(int)>& choose);
   void texts(const Key& key, std::vector<std::string>& value);  // one text, or a list of them

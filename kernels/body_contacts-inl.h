@@ -41,13 +41,15 @@ void gather_spheres(const StepConstants<double>& step, const ParticleView<Real>&
 }
 
 // The elastic side of a normal spring whose overlap may be capped.
-template <class V>
-HWY_INLINE void set_elastic(V stiffness, double cap, BodyTouchV<V>& t) {
+template <class Springs, class V>
+HWY_INLINE void set_elastic(const CoefficientsV<V>& table, double cap, BodyTouchV<V>& t) {
   const hn::DFromV<V> d;
   const V pressed = cap > 0 ? hn::Min(t.overlap, hn::Set(d, cap)) : t.overlap;
+  const V stiffness = Springs::at(table, hn::Max(pressed, hn::Zero(d)), t.reduced_radius).kn;
   t.elastic_force = hn::Mul(stiffness, pressed);
-  // 1/2 k p^2 + k p (overlap - p)
-  t.stored = hn::Mul(t.elastic_force, hn::NegMulAdd(hn::Set(d, 0.5), pressed, t.overlap));
+  // s k p^2 + k p (overlap - p)
+  t.stored = hn::Mul(t.elastic_force,
+                     hn::NegMulAdd(hn::Set(d, 1 - Springs::kStored), pressed, t.overlap));
 }
 
 // What one vector of contacts needs: the sphere is i, the polyhedron is j.
@@ -136,11 +138,13 @@ HWY_INLINE void set_near_geometry(const PartnerV<Real>& a, const NearContacts<Re
   t.tangential_inverse = hn::Add(turning_i, turning_j);
   t.tangential_count_rate = hn::MulAdd(z_i, turning_i, hn::Mul(z_j, turning_j));
   t.contacts = hn::Add(z_i, z_j);
-  t.rolling_radius = t.inverse_inertia = hn::Zero(d);
+  t.inverse_inertia = hn::Zero(d);
+  const V radius_j = hn::LoadU(d, c.radius + at);
+  t.reduced_radius = hn::Div(hn::Mul(radius, radius_j), hn::Add(radius, radius_j));
 }
 
 // Law, rows of the spheres, sums of the groups. `step` has no rolling friction.
-template <class Real>
+template <class Real, class Springs>
 void push_spheres(const StepConstants<double>& step, const ParticleView<Real>& p,
                   const NearContacts<Real>& c, const TileRows& tile, ContactTally& tally) {
   const D64 d;
@@ -169,8 +173,8 @@ void push_spheres(const StepConstants<double>& step, const ParticleView<Real>& p
         hn::PromoteTo(D64I(), hn::BitCast(D32I(), hn::LoadU(D32U(), c.material + at)));
     row = hn::Add(hn::Mul(row, hn::Set(D64I(), step.law.materials)), of_body);
     const auto k = load_coefficients<double>(step.law, row);
-    set_elastic(k.kn, c.overlap_cap, t);
-    const ResponseV<V> r = respond<double, DampedLaw>(step, k, t, old, touching);
+    set_elastic<Springs>(k, c.overlap_cap, t);
+    const ResponseV<V> r = respond<double, DampedLaw<Springs>>(step, k, t, old, touching);
     const Vec3V<V> normal = keep_if(touching, t.normal), point = keep_if(touching, g.point);
     const V now[kNearHistory] = {
         r.spring.x, r.spring.y, r.spring.z, r.force.x, r.force.y,
@@ -191,7 +195,7 @@ void push_spheres(const StepConstants<double>& step, const ParticleView<Real>& p
       store_rows(told, [&](std::size_t lane) { return &c.told[at + lane].work; });
     }
     const V smaller = hn::Min(to_f64(a.radius), hn::LoadU(d, c.radius + at));
-    count_response<double>(r, touching, hn::Div(t.overlap, smaller), sum);
+    count_response<double, DampedLaw<Springs>>(r, touching, hn::Div(t.overlap, smaller), sum);
     const V one = hn::IfThenElseZero(touching, hn::Set(d, 1));
     const Vec3V<V> torque_i = scale(g.arm, cross(r.tangential, t.normal));
     add_to_particles<double, 0>(r.force, torque_i, one, c.sphere + at, tile);
@@ -210,7 +214,8 @@ void push_spheres(const StepConstants<double>& step, const ParticleView<Real>& p
 }
 
 // The law for contacts of polyhedra among themselves and with walls.
-inline void push_bodies(const StepConstants<double>& step, const BodyContacts& c) {
+template <class Springs>
+void push_bodies(const StepConstants<double>& step, const BodyContacts& c) {
   const D64 d;
   using V = hn::Vec<D64>;
   for (std::size_t at = 0; at < c.count; at += hn::Lanes(d)) {
@@ -233,12 +238,13 @@ inline void push_bodies(const StepConstants<double>& step, const BodyContacts& c
     t.tangential_count_rate = load(B::kTangentialCountRate);
     t.elastic_force = load(B::kElasticForce);
     t.stored = load(B::kStored);
-    t.contacts = t.rolling_radius = t.inverse_inertia = hn::Zero(d);
+    t.reduced_radius = load(B::kReducedRadius);
+    t.contacts = t.inverse_inertia = hn::Zero(d);
     const V zero = hn::Zero(d);
     const HistoryV<V> old = {vector(B::kSpring), vector(B::kForce), {zero, zero, zero}};
     const auto row = hn::PromoteTo(D64I(), hn::BitCast(D32I(), hn::LoadU(D32U(), c.law_row + at)));
-    const ResponseV<V> r = respond<double, DampedLaw>(step, load_coefficients<double>(step.law, row), t, old,
-                                           hn::Gt(t.overlap, zero));
+    const ResponseV<V> r = respond<double, DampedLaw<Springs>>(
+        step, load_coefficients<double>(step.law, row), t, old, hn::Gt(t.overlap, zero));
     const auto store = [&](int k, V v) HWY_ATTR { hn::StoreU(v, d, c.row(k) + at); };
     store3(r.spring, c.row(B::kSpring) + at, c.stride);
     store3(r.force, c.row(B::kForce) + at, c.stride);
@@ -247,6 +253,7 @@ inline void push_bodies(const StepConstants<double>& step, const BodyContacts& c
     store(B::kSlide, r.slide);
     store(B::kTangentialDamping, r.tangential_damping);
     store(B::kNumericalLoss, r.numerical_loss);
+    store(B::kModelWork, r.model_work);
     store(B::kReduction, r.reduction);
     store(B::kNormalForce, dot(r.force, t.normal));
   }

@@ -74,6 +74,7 @@ struct BodyContacts {
     kTangentialCountRate,       // sum of Z (1/m + r^2/I)
     kElasticForce,              // N, of the normal spring
     kStored,                    // J
+    kReducedRadius,             // m, R* of equivalent radii
     kSpring,                    // 3, m, in and out
     kForce = kSpring + 3,       // 3, N on i, in and out
     kWork = kForce + 3,         // J, out, as are the following
@@ -81,6 +82,7 @@ struct BodyContacts {
     kSlide,
     kTangentialDamping,
     kNumericalLoss,
+    kModelWork,    // of the tangential spring
     kReduction,    // of the spring by the implicit damping
     kNormalForce,  // N
     kRows

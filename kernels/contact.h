@@ -10,6 +10,7 @@
 
 #include "soa/base.h"
 #include "soa/collisions.h"
+#include "soa/force_law.h"
 #include "soa/groups.h"
 #include "soa/motion.h"
 #include "soa/pairs.h"
@@ -21,7 +22,8 @@ namespace quern {
 inline constexpr std::size_t kRowWidth = 8;
 
 // Constants of the law for every ordered pair of materials (row i * materials + j), symmetric.
-// Damping enters as a = 2 zeta sqrt(k), so that c = a sqrt(m).
+// Damping enters as a = 2 zeta sqrt(k), so that c = a sqrt(m). Those of linear springs; laws whose
+// stiffness is the table's times a power of the overlap have their own units, see laws/.
 template <class Real>
 struct LawTable {
   const Real* normal_stiffness;      // N/m
@@ -31,6 +33,7 @@ struct LawTable {
   const Real* sliding_friction;
   const Real* rolling_friction;
   Index materials;
+  ForceLaw kind = ForceLaw::kLinearSpringDashpot;  // whose table it is
 };
 
 template <class Real>
@@ -120,6 +123,7 @@ struct ContactTally {
   double slide = 0;               // J, dissipated by sliding
   double tangential_damping = 0;  // J
   double numerical_loss = 0;      // J, part of the dissipation that is error of the time step
+  double model_work = 0;          // J, put into tangential springs by stiffnesses that changed
   double contacts = 0;            // touching pairs
   double warnings = 0;            // contacts deeper than half the smaller radius
   double max_overlap = 0;         // over the smaller radius
@@ -129,6 +133,7 @@ struct ContactTally {
     slide += o.slide;
     tangential_damping += o.tangential_damping;
     numerical_loss += o.numerical_loss;
+    model_work += o.model_work;
     contacts += o.contacts;
     warnings += o.warnings;
     max_overlap = max_overlap > o.max_overlap ? max_overlap : o.max_overlap;
@@ -215,12 +220,13 @@ struct Kernels {
   const char* target;
 };
 
-// The kernels for the best target this CPU and `use_simd_target` allow.
+// The kernels for the best target this CPU and `use_simd_target` allow. Each law is compiled for
+// itself: what one costs is nothing to scenes of another.
 template <class Real>
-Kernels<Real> choose_kernels();
+Kernels<Real> choose_kernels(ForceLaw law = ForceLaw::kLinearSpringDashpot);
 template <>
-Kernels<float> choose_kernels<float>();
+Kernels<float> choose_kernels<float>(ForceLaw law);
 template <>
-Kernels<double> choose_kernels<double>();
+Kernels<double> choose_kernels<double>(ForceLaw law);
 
 }  // namespace quern

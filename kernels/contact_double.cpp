@@ -5,6 +5,8 @@
 
 #include "kernels/body_contacts-inl.h"
 #include "kernels/integrate-inl.h"
+#include "kernels/laws/hertz_mindlin-inl.h"
+#include "kernels/laws/linear_spring_dashpot-inl.h"
 #include "kernels/pairs/sphere_facet-inl.h"
 #include "kernels/pairs/sphere_sphere-inl.h"
 
@@ -12,9 +14,20 @@ HWY_BEFORE_NAMESPACE();
 namespace quern {
 namespace HWY_NAMESPACE {
 
-Kernels<double> kernels_double() {
-  return {&find_pairs<double>, &push_pairs<double>, &sphere_facet<double>, &move_spheres<double>,
-          &gather_spheres<double>, &push_spheres<double>, &push_bodies, hwy::TargetName(HWY_TARGET)};
+template <class Springs>
+Kernels<double> kernels_of() {
+  return {&find_pairs<double>,
+          &push_pairs<double, Springs>,
+          &sphere_facet<double, Springs>,
+          &move_spheres<double>,
+          &gather_spheres<double>,
+          &push_spheres<double, Springs>,
+          &push_bodies<Springs>,
+          hwy::TargetName(HWY_TARGET)};
+}
+
+Kernels<double> kernels_double(ForceLaw law) {
+  return law == ForceLaw::kHertzMindlin ? kernels_of<HertzMindlin>() : kernels_of<LinearSprings>();
 }
 
 }  // namespace HWY_NAMESPACE
@@ -27,8 +40,8 @@ namespace quern {
 HWY_EXPORT(kernels_double);
 
 template <>
-Kernels<double> choose_kernels<double>() {
-  return HWY_DYNAMIC_DISPATCH(kernels_double)();
+Kernels<double> choose_kernels<double>(ForceLaw law) {
+  return HWY_DYNAMIC_DISPATCH(kernels_double)(law);
 }
 
 }  // namespace quern

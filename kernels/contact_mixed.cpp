@@ -5,6 +5,8 @@
 
 #include "kernels/body_contacts-inl.h"
 #include "kernels/integrate-inl.h"
+#include "kernels/laws/hertz_mindlin-inl.h"
+#include "kernels/laws/linear_spring_dashpot-inl.h"
 #include "kernels/pairs/sphere_facet-inl.h"
 #include "kernels/pairs/sphere_sphere-inl.h"
 
@@ -12,9 +14,20 @@ HWY_BEFORE_NAMESPACE();
 namespace quern {
 namespace HWY_NAMESPACE {
 
-Kernels<float> kernels_mixed() {
-  return {&find_pairs<float>, &push_pairs<float>, &sphere_facet<float>, &move_spheres<float>,
-          &gather_spheres<float>, &push_spheres<float>, &push_bodies, hwy::TargetName(HWY_TARGET)};
+template <class Springs>
+Kernels<float> kernels_of() {
+  return {&find_pairs<float>,
+          &push_pairs<float, Springs>,
+          &sphere_facet<float, Springs>,
+          &move_spheres<float>,
+          &gather_spheres<float>,
+          &push_spheres<float, Springs>,
+          &push_bodies<Springs>,
+          hwy::TargetName(HWY_TARGET)};
+}
+
+Kernels<float> kernels_mixed(ForceLaw law) {
+  return law == ForceLaw::kHertzMindlin ? kernels_of<HertzMindlin>() : kernels_of<LinearSprings>();
 }
 
 }  // namespace HWY_NAMESPACE
@@ -27,8 +40,8 @@ namespace quern {
 HWY_EXPORT(kernels_mixed);
 
 template <>
-Kernels<float> choose_kernels<float>() {
-  return HWY_DYNAMIC_DISPATCH(kernels_mixed)();
+Kernels<float> choose_kernels<float>(ForceLaw law) {
+  return HWY_DYNAMIC_DISPATCH(kernels_mixed)(law);
 }
 
 }  // namespace quern

@@ -8,7 +8,7 @@
 #define QUERN_PAIR_LOOP_INL_H_
 #endif
 
-#include "kernels/laws/linear_spring_dashpot-inl.h"
+#include "kernels/laws/spring_dashpot-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace quern {
@@ -231,17 +231,17 @@ HWY_INLINE hn::Vec<hn::RebindToSigned<Lanes<Real>>> load_index(const Index* from
 // Lane sums of a tally: in Real over a few contacts, in f64 over all of a tile.
 template <class V>
 struct TallyV {
-  V work, elastic, slide, tangential_damping, numerical_loss, deepest;
+  V work, elastic, slide, tangential_damping, numerical_loss, model_work, deepest;
   std::size_t contacts, warnings;
 };
 using TallySumV = TallyV<hn::Vec<D64>>;
 template <class Real>
 HWY_INLINE TallyV<hn::Vec<Lanes<Real>>> zero_tally() {
   const auto z = hn::Zero(Lanes<Real>());
-  return {z, z, z, z, z, z, 0, 0};
+  return {z, z, z, z, z, z, z, 0, 0};
 }
 HWY_INLINE TallySumV zero_tally_sum() { return zero_tally<double>(); }
-template <class Real, class V, class M>
+template <class Real, class Law, class V, class M>
 HWY_INLINE void count_response(const ResponseV<V>& r, M touching, V relative_overlap,
                                TallyV<V>& sum) {
   const Lanes<Real> d;
@@ -250,6 +250,7 @@ HWY_INLINE void count_response(const ResponseV<V>& r, M touching, V relative_ove
   sum.slide = hn::Add(sum.slide, r.slide);
   sum.tangential_damping = hn::Add(sum.tangential_damping, r.tangential_damping);
   sum.numerical_loss = hn::Add(sum.numerical_loss, r.numerical_loss);
+  if constexpr (Law::kChanging) sum.model_work = hn::Add(sum.model_work, r.model_work);
   const V deep = hn::IfThenElseZero(touching, relative_overlap);
   sum.contacts += hn::CountTrue(d, touching);
   sum.warnings += hn::CountTrue(d, hn::Gt(deep, hn::Set(d, Real(0.5))));
@@ -263,6 +264,7 @@ HWY_INLINE void add_few(const TallyV<hn::Vec<Lanes<Real>>>& few, TallySumV& sum)
   sum.tangential_damping =
       hn::Add(sum.tangential_damping, folded_f64<Real>(few.tangential_damping));
   sum.numerical_loss = hn::Add(sum.numerical_loss, folded_f64<Real>(few.numerical_loss));
+  sum.model_work = hn::Add(sum.model_work, folded_f64<Real>(few.model_work));
   sum.contacts += few.contacts;
   sum.warnings += few.warnings;
   sum.deepest = hn::Max(sum.deepest, hn::Max(half_f64<Real, 0>(few.deepest),
@@ -282,6 +284,7 @@ inline void add_tally(const TallySumV& v, ContactTally& to) {
   t.slide = sum_lanes(v.slide);
   t.tangential_damping = sum_lanes(v.tangential_damping);
   t.numerical_loss = sum_lanes(v.numerical_loss);
+  t.model_work = sum_lanes(v.model_work);
   t.contacts = static_cast<double>(v.contacts);
   t.warnings = static_cast<double>(v.warnings);
   HWY_ALIGN double lane[hn::MaxLanes(D64())];

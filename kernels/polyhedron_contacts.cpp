@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "kernels/laws/patch_damping.h"
+#include "kernels/laws/stiffness.h"
 #include "kernels/pairs/polyhedron_facet.h"
 #include "kernels/pairs/polyhedron_polyhedron.h"
 #include "kernels/pairs/wall_history.h"
@@ -79,24 +80,25 @@ void PolyhedronContacts<Real>::reserve(std::size_t n) {
 }
 
 template <class Real>
-void PolyhedronContacts<Real>::set_elastic(const World<Real>& world, double overlap, double area,
-                                           double volume, const Vec3& moment, double smaller,
+void PolyhedronContacts<Real>::set_elastic(const World<Real>& world, const Pressed& patch,
                                            Index law_row, double& force, double& stored,
                                            Vec3& couple) const {
-  const double kn = world.wall_law.normal_stiffness[law_row];
+  const double table = world.wall_law.normal_stiffness[law_row];
   const double cap = world.overlap_cap;
   if (world.patch.model == NormalModel::kStiffness) {
-    const double pressed = cap > 0 ? std::min(overlap, cap) : overlap;
+    const double pressed = cap > 0 ? std::min(patch.overlap, cap) : patch.overlap;
+    const double kn = table * stiffness_factor(world.force_law, pressed, patch.reduced_radius);
     force = kn * pressed;
-    stored = kn * pressed * (overlap - 0.5 * pressed);
+    stored = kn * pressed * (patch.overlap - (1 - stored_share(world.force_law)) * pressed);
     couple = Vec3::Zero();
     return;
   }
-  double kv = world.patch.volume_stiffness > 0 ? world.patch.volume_stiffness : kn / smaller;
-  if (cap > 0) kv = std::min(kv, kn * cap / area);
-  force = kv * area;
-  stored = kv * volume;
-  couple = kv * moment;
+  double kv =
+      world.patch.volume_stiffness > 0 ? world.patch.volume_stiffness : table / patch.smaller;
+  if (cap > 0) kv = std::min(kv, table * cap / patch.area);
+  force = kv * patch.area;
+  stored = kv * patch.volume;
+  couple = kv * patch.moment;
 }
 
 // What the contact was a step ago, into the lane that push() completes.
@@ -132,6 +134,7 @@ void PolyhedronContacts<Real>::push(Lane& lane, const Side& i, const Side& j, In
   put(B::kTangentialCountRate, i.state.contacts * turning(i) + j.state.contacts * turning(j));
   put(B::kElasticForce, lane.pair ? lane.pair->elastic_force : lane.wall.elastic_force);
   put(B::kStored, lane.pair ? lane.pair->stored : lane.wall.stored);
+  put(B::kReducedRadius, lane.reduced_radius);
   law_row_[count_] = law_row;
   lane.inverse_tangential = turning(i) + turning(j);
   lane.mobility =
@@ -180,6 +183,7 @@ void PolyhedronContacts<Real>::collect_pair(World<Real>& world, BodyTable& table
   lane.touching = touching;
   lane.area = touching ? touch.area : 0;
   lane.smaller = std::min(a.scale, b.scale);
+  lane.reduced_radius = reduced_radius(a.scale, b.scale);
   lane.arm_i = i.arm;
   lane.arm_j = j.arm;
   lane.stored_old = pair.stored;
@@ -194,8 +198,10 @@ void PolyhedronContacts<Real>::collect_pair(World<Real>& world, BodyTable& table
   pair.elastic_force = pair.stored = 0;
   pair.couple.setZero();
   if (touching) {
-    set_elastic(world, touch.overlap, touch.area, touch.volume, touch.moment, lane.smaller, row,
-                pair.elastic_force, pair.stored, pair.couple);
+    set_elastic(world,
+                {touch.overlap, touch.area, touch.volume, touch.moment, lane.smaller,
+                 lane.reduced_radius},
+                row, pair.elastic_force, pair.stored, pair.couple);
   }
   lane.couple = pair.couple;
   put_before({normal_old, overlap_old, at_old, pair.spring, pair.force});
@@ -219,7 +225,7 @@ void PolyhedronContacts<Real>::add_wall_lane(World<Real>& world, const BodyNow& 
   lane.elastic_force_old = lane.wall.elastic_force;
   lane.couple_old = lane.wall.couple;
   lane.moment_old = lane.wall.moment;
-  lane.smaller = scale;
+  lane.smaller = lane.reduced_radius = scale;
   const Vec3 normal_old = was ? was->normal : now->normal;
   const double overlap_old = was ? was->overlap : 0;
   const Vec3 arm_old = was ? was->arm : Vec3(Vec3::Zero());
@@ -242,7 +248,7 @@ void PolyhedronContacts<Real>::add_wall_lane(World<Real>& world, const BodyNow& 
     // The kernel's moment is about the body's centre; the couple is what the point leaves of it.
     const Mat3& turn = wall.pose.rotation;
     const Vec3 about_point = turn * (now->moment) - lane.wall.arm.cross(turn * now->vector_area);
-    set_elastic(world, now->overlap, now->area, now->volume, about_point, scale, row,
+    set_elastic(world, {now->overlap, now->area, now->volume, about_point, scale, scale}, row,
                 lane.wall.elastic_force, lane.wall.stored, lane.wall.couple);
   }
   lane.couple = lane.wall.couple;
@@ -390,9 +396,12 @@ Vec3 PolyhedronContacts<Real>::moment_of(const World<Real>& world,
   if (!world.patch.damping) return moment;
   const Index row = law_row_[k];
   PatchDashpot dashpot;
-  dashpot.normal_damping = step.law.normal_damping[row] / std::sqrt(get(B::kInverseMass, k));
+  const double grown =
+      std::sqrt(stiffness_factor(world.force_law, lane.wall.overlap, lane.reduced_radius));
+  dashpot.normal_damping =
+      grown * step.law.normal_damping[row] / std::sqrt(get(B::kInverseMass, k));
   dashpot.tangential_damping =
-      step.law.tangential_damping[row] * std::sqrt(3.5 / lane.inverse_tangential);
+      grown * step.law.tangential_damping[row] * std::sqrt(3.5 / lane.inverse_tangential);
   dashpot.sliding_friction = step.law.sliding_friction[row];
   dashpot.mobility = lane.mobility;
   dashpot.dt = step.dt;
@@ -428,6 +437,7 @@ void PolyhedronContacts<Real>::finish(World<Real>& world, const StepConstants<do
     t.slide = get(B::kSlide, k);
     t.tangential_damping = get(B::kTangentialDamping, k);
     t.numerical_loss = get(B::kNumericalLoss, k);
+    t.model_work = get(B::kModelWork, k);
     t.contacts = lane.touching ? 1 : 0;
     t.max_overlap = lane.wall.overlap / lane.smaller;
     t.warnings = t.max_overlap > 0.5 ? 1 : 0;

@@ -130,6 +130,7 @@ class PolyhedronContacts {
     double area, mobility, inverse_tangential, stored_old, elastic_force_old;
     Vec3 couple, couple_old, moment_old;
     double smaller;  // m, equivalent radius of the smaller body
+    double reduced_radius;  // m, R* of equivalent radii
   };
   struct Side {  // of a contact
     const BodyState& state;
@@ -159,9 +160,13 @@ class PolyhedronContacts {
   void put_before(const Before& before);
   // Completes the last of lanes_.
   void push(Lane& lane, const Side& i, const Side& j, Index law_row);
-  void set_elastic(const World<Real>& world, double overlap, double area, double volume,
-                   const Vec3& moment, double smaller, Index law_row, double& force, double& stored,
-                   Vec3& couple) const;
+  struct Pressed {  // a patch: overlap (m), area, volume, moment of its pressure (m^3), radii (m)
+    double overlap, area, volume;
+    Vec3 moment;
+    double smaller, reduced_radius;
+  };
+  void set_elastic(const World<Real>& world, const Pressed& patch, Index law_row, double& force,
+                   double& stored, Vec3& couple) const;
   Vec3 moment_of(const World<Real>& world, const StepConstants<double>& step, std::size_t k) const;
   // Lane k, between the law and what finish() stores of it.
   void record(World<Real>& world, std::size_t k, const ContactTally& energies,

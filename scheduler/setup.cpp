@@ -212,10 +212,13 @@ LawColumns<Real> law_columns(const Scene& scene, const std::vector<PairValues>& 
     const double kn = change.stiffness * p.normal_stiffness;
     const double kt = change.stiffness * p.tangential_stiffness;
     const bool damped = change.damped || scene.contact.tangential_damping;
-    const double at = damped ? 2 * zeta * std::sqrt(kt * 2 / 7) : 0;
+    // What of the stiffness is under the root: laws/linear_spring_dashpot-inl.h and hertz_mindlin-inl.h.
+    const bool hertz = scene.contact.law == ForceLaw::kHertzMindlin;
+    const double under_n = hertz ? kn * 5 / 4 : kn, under_t = hertz ? kt * 5 / 6 : kt * 2 / 7;
+    const double at = damped ? 2 * zeta * std::sqrt(under_t) : 0;
     law.normal_stiffness.push_back(static_cast<Real>(kn));
     law.tangential_stiffness.push_back(static_cast<Real>(kt));
-    law.normal_damping.push_back(static_cast<Real>(2 * zeta * std::sqrt(kn)));
+    law.normal_damping.push_back(static_cast<Real>(2 * zeta * std::sqrt(under_n)));
     law.tangential_damping.push_back(static_cast<Real>(at));
     law.sliding_friction.push_back(static_cast<Real>(change.friction * p.sliding_friction));
     law.rolling_friction.push_back(static_cast<Real>(p.rolling_friction));
@@ -325,6 +328,20 @@ Index choose_tile_size(std::size_t particles) {
   return static_cast<Index>(std::clamp<std::size_t>(particles / 32, 512, 2048));
 }
 
+// 4/3 E* and 8 G* of two materials, Pa.
+void set_moduli(const Material& a, const Material& b, PairValues& to) {
+  const auto give = [](const Material& m, double& normal, double& along) {
+    const double e = m.young_modulus.value_or(0), nu = m.poisson_ratio.value_or(0);
+    normal = (1 - nu * nu) / e;
+    along = 2 * (2 - nu) * (1 + nu) / e;
+    return e > 0;
+  };
+  double normal_a = 0, normal_b = 0, along_a = 0, along_b = 0;
+  if (!give(a, normal_a, along_a) || !give(b, normal_b, along_b)) return;  // they never touch
+  to.normal_stiffness = 4.0 / 3 / (normal_a + normal_b);
+  to.tangential_stiffness = 8 / (along_a + along_b);
+}
+
 }  // namespace
 
 std::size_t material_row(const Scene& scene, const std::string& name) {
@@ -352,6 +369,11 @@ std::vector<PairValues> resolve_pairs(const Scene& scene) {
       v->restitution = p.restitution.value_or(base.restitution);
       v->sliding_friction = p.sliding_friction.value_or(base.sliding_friction);
       v->rolling_friction = p.rolling_friction.value_or(base.rolling_friction);
+    }
+  }
+  if (c.law == ForceLaw::kHertzMindlin) {
+    for (std::size_t row = 0; row < n * n; ++row) {
+      set_moduli(scene.materials[row / n], scene.materials[row % n], table[row]);
     }
   }
   return table;
@@ -433,6 +455,7 @@ World<Real> make_world(const Scene& scene, SceneGeometry geometry,
   world.high = geometry.high;
   world.periodic = geometry.periodic;
   world.materials = static_cast<Index>(scene.materials.size());
+  world.force_law = scene.contact.law;
   world.clamped = scene.contact.normal_force == NormalForce::kClamped;
   for (const PairValues& p : resolve_pairs(scene)) {
     world.rolling = world.rolling || p.rolling_friction > 0;

@@ -12,21 +12,22 @@ namespace quern {
 namespace {
 
 template <class Real, class Columns>
-LawTable<Real> table_of(const Columns& law, Index materials) {
+LawTable<Real> table_of(const Columns& law, Index materials, ForceLaw kind) {
   return {law.normal_stiffness.data(),
           law.tangential_stiffness.data(),
           law.normal_damping.data(),
           law.tangential_damping.data(),
           law.sliding_friction.data(),
           law.rolling_friction.data(),
-          materials};
+          materials,
+          kind};
 }
 
 }  // namespace
 
 template <class Real>
 Stepper<Real>::Stepper(World<Real>& world, int threads)
-    : world_(world), graph_(threads), kernels_(choose_kernels<Real>()) {
+    : world_(world), graph_(threads), kernels_(choose_kernels<Real>(world.force_law)) {
   workers_.resize(static_cast<std::size_t>(graph_.threads()));
   for (Worker& w : workers_) w.rows.reset((world.tile_size + 16u) * kRowWidth);
 }
@@ -55,8 +56,8 @@ void Stepper<Real>::prepare() {
   };
   fill(constants_);
   fill(wall_constants_);
-  constants_.law = table_of<Real>(world_.law, world_.materials);
-  wall_constants_.law = table_of<double>(world_.wall_law, world_.materials);
+  constants_.law = table_of<Real>(world_.law, world_.materials, world_.force_law);
+  wall_constants_.law = table_of<double>(world_.wall_law, world_.materials, world_.force_law);
   tile_totals_.resize(world_.tiles());
   tile_walls_.resize(world_.tiles() * world_.walls.size());
   known_touches_.resize(world_.tiles());
@@ -233,6 +234,7 @@ void Stepper<Real>::add_tiles() {
   sum.slide = pairs.slide + walls.slide;
   sum.tangential_damping = pairs.tangential_damping + walls.tangential_damping;
   sum.numerical_loss = pairs.numerical_loss + walls.numerical_loss;
+  sum.model_work += pairs.model_work + walls.model_work;
   sum.pair_contacts = pairs.contacts;
   sum.wall_contacts = walls.contacts;
   sum.warnings = pairs.warnings + walls.warnings;

@@ -97,6 +97,7 @@ void count_spheres(const World<Real>& world, StepCost& cost) {
   add(kOfTouchingSlot, slots.open, cost.operations);
   if (world.damped) add(kOfDamping, slots.open, cost.operations);
   if (world.rolling) add(kOfRolling, slots.open, cost.operations);
+  if (world.force_law == ForceLaw::kHertzMindlin) add(kOfHertzMindlin, slots.open, cost.operations);
   add(kOfMotion, n, cost.operations);
 }
 

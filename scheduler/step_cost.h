@@ -33,7 +33,8 @@ struct Operations {
 // that hold a pair. A slot that touches is an idle one first.
 inline constexpr Operations kOfIdleSlot = {2, 14}, kOfTouchingSlot = {340, 28};
 inline constexpr Operations kOfDamping = {27, 0},
-                            kOfRolling = {57, 0};  // besides, of a touching slot
+                            kOfRolling = {57, 0},  // besides, of a touching slot
+                            kOfHertzMindlin = {60, 0};
 inline constexpr Operations kOfMotion = {0, 108};  // of a sphere
 
 struct StepCost {

@@ -25,6 +25,7 @@ Scene trial_scene(const Scene& scene, const TrialSpec& spec, double dt) {
   s.run.settle = SettleKind::kDuration;
   s.run.settle_time = 0.6;
   s.contact = scene.contact;
+  s.contact.impact_speed = typical_speed(scene);  // the same steps per contact
   s.materials = scene.materials;
   const double side = 3.2 * spec.to;
   const double depth = 3.5 * static_cast<double>(spec.particles) * std::pow(spec.to, 3) / (side * side);

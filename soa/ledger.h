@@ -9,7 +9,9 @@ struct Ledger {
   double kinetic = 0, elastic = 0;  // now
   double wall_work = 0, gravity_work = 0, contact_work = 0;
   double slide = 0, tangential_damping = 0, numerical_loss = 0;
-  double model_work = 0;  // by normal forces of polyhedra that have no potential; in dissipated()
+  // By forces that have no potential (normal ones of polyhedra, tangential ones of springs whose
+  // stiffness changes); in dissipated().
+  double model_work = 0;
   double drag_loss = 0;   // taken by the drag of settling; not in dissipated()
   double abs_wall_work = 0;
   double dissipated() const { return -contact_work - (elastic - start_elastic); }

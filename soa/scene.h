@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "soa/force_law.h"
 #include "soa/shapes.h"
 
 namespace quern {
@@ -49,6 +50,9 @@ struct Material {
   std::string name;
   double density = 0;   // kg/m^3; 0 is allowed for materials that only walls use
   double hardness = 0;  // Vickers, HV; 0: not given
+  // Of kHertzMindlin, and not used by the other law.
+  std::optional<double> young_modulus = std::nullopt;  // Pa
+  std::optional<double> poisson_ratio = std::nullopt;
 };
 
 // Coefficients of a pair of materials; what is absent falls back to ContactSpec's defaults.
@@ -59,7 +63,7 @@ struct PairCoefficients {
 };
 
 struct ContactSpec {
-  std::string law = "linear-spring-dashpot";
+  ForceLaw law = ForceLaw::kLinearSpringDashpot;
   NormalForce normal_force = NormalForce::kClamped;
   bool tangential_damping = true;
   std::optional<double> normal_stiffness, tangential_stiffness;  // N/m
@@ -69,6 +73,8 @@ struct ContactSpec {
   NormalModel normal_model = NormalModel::kStiffness;
   // Pa, kVolume only; default: normal stiffness over the equivalent radius of the smaller body
   std::optional<double> volume_stiffness;
+  // m/s, kHertzMindlin: the fastest impact that steps are advised for; default: typical_speed()
+  std::optional<double> impact_speed = std::nullopt;
   bool patch_damping = true;  // dashpots over the area of a polyhedron's contact
   std::vector<PairCoefficients> pairs;
 };

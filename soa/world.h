@@ -11,6 +11,7 @@
 
 #include "soa/collisions.h"
 #include "soa/facets.h"
+#include "soa/force_law.h"
 #include "soa/groups.h"
 #include "soa/ledger.h"
 #include "soa/motion.h"
@@ -39,7 +40,7 @@ struct Body {
   WallVelocity velocity;   // over the last step
 };
 
-// Symmetric coefficients of every ordered pair of materials; damping as a = 2 zeta sqrt(k).
+// Symmetric coefficients of every ordered pair of materials, see LawTable in kernels/contact.h.
 template <class Real>
 struct LawColumns {
   std::vector<Real> normal_stiffness, tangential_stiffness, normal_damping, tangential_damping,
@@ -125,6 +126,7 @@ struct World {
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();  // domain, as far as it was filled; saved
   std::array<bool, 3> periodic{};
   Index materials = 1;
+  ForceLaw force_law = ForceLaw::kLinearSpringDashpot;
   LawColumns<Real> law;
   LawColumns<double> wall_law;
   bool clamped = true, rolling = false, damped = true;

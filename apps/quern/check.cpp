@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <map>
@@ -54,15 +55,30 @@ void print_contents(const LoadedScene& loaded) {
                        100 * rpm / critical_rpm(mill.diameter), critical_rpm(mill.diameter)));
 }
 
+// What the steps of springs that stiffen are counted at.
+void print_impacts(const LoadedScene& loaded, const std::vector<StepAdvice>& all) {
+  const StepAdvice& finest = *std::min_element(
+      all.begin(), all.end(),
+      [](const StepAdvice& a, const StepAdvice& b) { return a.rayleigh_time < b.rayleigh_time; });
+  log_info(fmt::format("  of impacts at {:.3g} m/s ('contact.impact_speed')",
+                       typical_speed(loaded.scene)));
+  log_info(fmt::format("Rayleigh     {:.4g} s of {}; the step is {:.3g} of it ({:g} refused, {:g} "
+                       "warned, {:g} advised)",
+                       finest.rayleigh_time, finest.a, loaded.dt / finest.rayleigh_time,
+                       kRefusedRayleigh, kWarnedRayleigh, kAdvisedRayleigh));
+}
+
 void print_steps(const LoadedScene& loaded) {
+  const std::vector<StepAdvice> all = advise_steps(loaded.scene, loaded.seeds, loaded.dt);
   log_info(
       fmt::format("time step    {:.4g} s; steps per contact: normal ({:g} refused, {:g} warned, "
                   "{:g} advised), tangential",
                   loaded.dt, kRefusedSteps, kWarnedSteps, kAdvisedSteps));
-  for (const StepAdvice& a : advise_steps(loaded.scene, loaded.seeds, loaded.dt)) {
+  for (const StepAdvice& a : all) {
     log_info(fmt::format("  {:<20} {:<20} {:8.1f} {:8.1f}", a.a, a.b, a.steps_normal,
                          a.steps_tangential));
   }
+  if (loaded.scene.contact.law == ForceLaw::kHertzMindlin) print_impacts(loaded, all);
   const TrialSpec spec = finest_class_trial(loaded.scene);
   const StabilityTrial trial = measure_stability(loaded.scene, spec);
   const std::string found =

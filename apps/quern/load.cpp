@@ -118,6 +118,28 @@ double fewest_steps_per_contact(const LoadedScene& loaded) {
   return fewest;
 }
 
+namespace {
+
+void judge_rayleigh(const LoadedScene& loaded, const std::vector<StepAdvice>& all) {
+  const auto least = std::min_element(
+      all.begin(), all.end(),
+      [](const StepAdvice& a, const StepAdvice& b) { return a.rayleigh_time < b.rayleigh_time; });
+  if (least == all.end() || least->rayleigh_time == 0) return;
+  const double share = loaded.dt / least->rayleigh_time;
+  if (share <= kWarnedRayleigh) return;
+  const std::string what =
+      fmt::format("'run.time_step' {:.3g} s is {:.2g} of the Rayleigh time of {} ({:.3g} s)",
+                  loaded.dt, share, least->a, least->rayleigh_time);
+  if (share > kRefusedRayleigh) {
+    throw InputErrors{{fmt::format("error: {}; {:g} of it is allowed ({:.3g} s), {:g} advised", what,
+                                   kRefusedRayleigh, kRefusedRayleigh * least->rayleigh_time,
+                                   kAdvisedRayleigh)}};
+  }
+  log_warn(fmt::format("{}; {:g} is advised for accuracy", what, kAdvisedRayleigh));
+}
+
+}  // namespace
+
 void judge_time_step(const LoadedScene& loaded) {
   const double toss = flat_face_toss(loaded.scene, loaded.seeds, loaded.dt);
   if (toss > kWarnedToss) {
@@ -128,6 +150,7 @@ void judge_time_step(const LoadedScene& loaded) {
         toss, kWarnedToss));
   }
   const std::vector<StepAdvice> all = advise_steps(loaded.scene, loaded.seeds, loaded.dt);
+  judge_rayleigh(loaded, all);
   const auto worst = std::min_element(
       all.begin(), all.end(),
       [](const StepAdvice& a, const StepAdvice& b) { return a.steps_normal < b.steps_normal; });

@@ -240,7 +240,7 @@ void Recorder::write_summary(World<Real>& world, const RunFigures& figures) {
   s.set("dissipation_normal_J", l.normal_damping());
   s.set("dissipation_sliding_J", l.slide);
   s.set("dissipation_tangential_J", l.tangential_damping);
-  if (!world.shapes.empty()) {
+  if (!world.shapes.empty() || world.force_law == ForceLaw::kHertzMindlin) {
     s.set("model_work_J", l.model_work);
     s.set("model_work_share", model_work_share(l));
   }

@@ -1,15 +1,10 @@
-// Linear spring-dashpot with tangential history and Coulomb friction, over SIMD lanes: force only.
+// Linear springs: stiffnesses of the pair of materials, whatever the overlap.
 //
-//   F_n = kn' delta - w c_n' v_n              (clamped: never pulls)
-//   T   = -kt' xi_t - c_t' v_t,  |F_t| <= mu |F_n|
-//   M   = -w_r/|w_r| min(mu_r R* F_n, I* |w_r| / (dt max(2, Z_i + Z_j)))      rolling friction
+//   F_n = k_n delta - c_n v_n,  F_t = -k_t xi - c_t v_t,  c = 2 zeta sqrt(m k)
 //
-// Equations 3-7 of Xie, Ma, Song, Zhao, Powder Technology 386 (2021) 154-165, with the implicit
-// damping of kernels/README.md: kn', kt' make an isolated pair the implicit midpoint rule; c_n', c_t'
-// are bounded by the contacts Z that the partners had in the last step, which keeps dense packings
-// stable down to 4 steps per contact; w is the share of the step in which a fresh contact touched.
-// Rolling: Zhou et al. 1999; Ai et al. 2011, model A. c = 2 zeta sqrt(m k) with zeta from
-// Schwager & Poeschel 2007 (clamped) or the plain damped oscillator (unclamped), see materials.h.
+// Equations 3-7 of Xie, Ma, Song, Zhao, Powder Technology 386 (2021) 154-165. zeta from the
+// restitution: Schwager & Poeschel 2007 (clamped) or the plain damped oscillator (unclamped), see
+// laws/damping.h. Tables: kn, kt (N/m), a_n = 2 zeta sqrt(kn), a_t = 2 zeta sqrt(2/7 kt).
 #if defined(QUERN_LINEAR_SPRING_DASHPOT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef QUERN_LINEAR_SPRING_DASHPOT_INL_H_
 #undef QUERN_LINEAR_SPRING_DASHPOT_INL_H_
@@ -17,265 +12,20 @@
 #define QUERN_LINEAR_SPRING_DASHPOT_INL_H_
 #endif
 
-#include <type_traits>
-
-#include "kernels/contact.h"
-#include "kernels/simd-inl.h"
+#include "kernels/laws/spring_dashpot-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace quern {
 namespace HWY_NAMESPACE {
 
-// Coefficients of each lane's pair of materials.
-template <class V>
-struct CoefficientsV {
-  V kn, kt, an, at, mu, mur;
-};
-
-template <class Real>
-HWY_INLINE CoefficientsV<hn::Vec<Lanes<Real>>> load_coefficients(
-    const LawTable<Real>& law, hn::Vec<hn::RebindToSigned<Lanes<Real>>> row) {
-  const Lanes<Real> d;
-  if (law.materials == 1) {
-    return {hn::Set(d, law.normal_stiffness[0]), hn::Set(d, law.tangential_stiffness[0]),
-            hn::Set(d, law.normal_damping[0]),   hn::Set(d, law.tangential_damping[0]),
-            hn::Set(d, law.sliding_friction[0]), hn::Set(d, law.rolling_friction[0])};
+struct LinearSprings {
+  static constexpr bool kChanging = false;
+  static constexpr double kStored = 0.5;
+  template <class V>
+  static HWY_INLINE CoefficientsV<V> at(const CoefficientsV<V>& table, V, V) {
+    return table;
   }
-  return {hn::GatherIndex(d, law.normal_stiffness, row),
-          hn::GatherIndex(d, law.tangential_stiffness, row),
-          hn::GatherIndex(d, law.normal_damping, row),
-          hn::GatherIndex(d, law.tangential_damping, row),
-          hn::GatherIndex(d, law.sliding_friction, row),
-          hn::GatherIndex(d, law.rolling_friction, row)};
-}
-
-// What a pair type knows of its contacts; a wall is j with inverse mass 0 and the velocity of its
-// contact point.
-template <class V>
-struct TouchV {
-  Vec3V<V> normal, normal_old;       // unit, from j to i
-  V overlap, overlap_old;            // m
-  V normal_velocity;                 // m/s, < 0 on approach
-  Vec3V<V> at_point, at_old;         // m/s, of i - of j at the contact point; with the arms of a step ago
-  Vec3V<V> spin_i, spin_j;           // rad/s
-  V inverse_mass;                    // 1/m_e
-  V count_rate;                      // Z_i/m_i + Z_j/m_j
-  V contacts;                        // Z_i + Z_j
-  V rolling_radius;                  // R*
-  V inverse_inertia;                 // 1/I*
 };
-
-template <class V>
-struct HistoryV {
-  Vec3V<V> spring, force, moment;
-};
-
-// What bodies that are no spheres have besides: their tangential mobility is not 3.5/m, and the
-// spring force need not be stiffness times overlap.
-template <class V>
-struct BodyTouchV : TouchV<V> {
-  V tangential_inverse;     // 1/m_t = sum of 1/m + r^2/I
-  V tangential_count_rate;  // sum of Z (1/m + r^2/I)
-  V elastic_force;          // N, at full stiffness
-  V stored;                 // J, of that force
-};
-
-// Everything a contact did in this step; masked lanes are zero.
-template <class V>
-struct ResponseV {
-  Vec3V<V> force, tangential, moment, spring;
-  V work, elastic, slide, tangential_damping, numerical_loss;
-  V reduction;  // kn' / kn
-};
-
-// What a law leaves out where a scene has none of it: a contact pays for what it models.
-struct RollingLaw {
-  static constexpr bool kDamped = true, kRolling = true, kRecorded = false;
-};
-struct DampedLaw {  // tangential damping, no rolling friction
-  static constexpr bool kDamped = true, kRolling = false, kRecorded = false;
-};
-struct PlainLaw {
-  static constexpr bool kDamped = false, kRolling = false, kRecorded = false;
-};
-template <class Law>
-struct Recorded : Law {  // collisions are recorded
-  static constexpr bool kRecorded = true;
-};
-
-// Turns the tangential spring with the contact: the rotation that takes the old normal to the new
-// one (length kept), then by the partners' mean spin about the normal. `inverse` is 1 / (1 + n.n_old).
-template <class V>
-HWY_INLINE Vec3V<V> carry_spring(const Vec3V<V>& spring, const TouchV<V>& t, V half_dt, V inverse) {
-  const hn::DFromV<V> d;
-  const Vec3V<V>& n = t.normal;
-  const V turn = hn::Mul(dot(spring, n), inverse);
-  const Vec3V<V> carried = add_scaled(spring, hn::Neg(turn), n + t.normal_old);
-  const V angle = hn::Mul(half_dt, dot(t.spin_i + t.spin_j, n));
-  const V shorten = hn::NegMulAdd(hn::Mul(hn::Set(d, hn::TFromV<V>(0.5)), angle), angle,
-                                  hn::Set(d, 1));
-  return add_scaled(scale(shorten, carried), angle, cross(n, carried));
-}
-
-// Constants of a contact with what the step's length takes off them, see kernels/README.md.
-template <class V>
-struct ReducedV {
-  V kn, kt, cn, ct;  // kn', kt', c_n', c_t'
-  V reduction;       // kn' / kn
-  V turn;            // 1 / (1 + n.n_old), for the spring
-};
-
-// With s = sqrt(1/m_e) and h = dt/2, of the normal and likewise of the tangential direction,
-//   kn' = kn / (1 + h a s)      c_n' = a / (s + h a max(1/m_e, Z_i/m_i + Z_j/m_j))
-// which is the text's form multiplied by s. All quotients come from one division.
-template <bool kDamped, class Touch, class V>
-HWY_INLINE ReducedV<V> reduce(const CoefficientsV<V>& k, const Touch& t, V half_dt) {
-  constexpr bool kBodies = std::is_same_v<Touch, BodyTouchV<V>>;
-  using T = hn::TFromV<V>;
-  const hn::DFromV<V> d;
-  const V one = hn::Set(d, 1), half = hn::Set(d, T(0.5));
-  const V root = hn::Sqrt(t.inverse_mass), an = hn::Mul(half_dt, k.an);
-  const V pair_n = hn::MulAdd(an, root, one);
-  const V crowd_n = hn::MulAdd(an, hn::Max(t.inverse_mass, t.count_rate), root);
-  // 1 + n.n_old is near 2; lanes without a contact may hold anything and must not divide by zero.
-  const V turned = hn::Max(hn::Add(one, dot(t.normal, t.normal_old)), half);
-  const V normals = hn::Mul(pair_n, crowd_n);
-  ReducedV<V> r;
-  if constexpr (kDamped) {
-    // m_e / m_t of spheres is 7/2; a_t holds the root of its inverse.
-    const V ratio = hn::Set(d, T(3.5)), root_ratio = hn::Set(d, T(1.8708286933869707));
-    V inverse_t = hn::Mul(ratio, t.inverse_mass), root_t = hn::Mul(root_ratio, root);
-    V count_rate_t = hn::Mul(ratio, t.count_rate);
-    if constexpr (kBodies) {
-      inverse_t = t.tangential_inverse;
-      root_t = hn::Sqrt(inverse_t);
-      count_rate_t = t.tangential_count_rate;
-    }
-    const V at = hn::Mul(root_ratio, k.at), hat = hn::Mul(half_dt, at);
-    const V pair_t = hn::MulAdd(hat, root_t, one);
-    const V crowd_t = hn::MulAdd(hat, hn::Max(inverse_t, count_rate_t), root_t);
-    const V tangents = hn::Mul(pair_t, crowd_t), all = hn::Mul(normals, tangents);
-    const V inverse = hn::Div(one, hn::Mul(all, turned));
-    const V inverse_all = hn::Mul(inverse, turned);
-    const V inverse_n = hn::Mul(inverse_all, tangents), inverse_ts = hn::Mul(inverse_all, normals);
-    r.reduction = hn::Mul(inverse_n, crowd_n);
-    r.cn = hn::Mul(k.an, hn::Mul(inverse_n, pair_n));
-    r.kt = hn::Mul(k.kt, hn::Mul(inverse_ts, crowd_t));
-    r.ct = hn::Mul(at, hn::Mul(inverse_ts, pair_t));
-    r.turn = hn::Mul(inverse, all);
-  } else {
-    const V inverse = hn::Div(one, hn::Mul(normals, turned));
-    const V inverse_n = hn::Mul(inverse, turned);
-    r.reduction = hn::Mul(inverse_n, crowd_n);
-    r.cn = hn::Mul(k.an, hn::Mul(inverse_n, pair_n));
-    r.kt = k.kt;
-    r.ct = hn::Zero(d);
-    r.turn = hn::Mul(inverse, normals);
-  }
-  r.kn = hn::Mul(k.kn, r.reduction);
-  return r;
-}
-
-// Touch is TouchV for spheres (I = 2/5 m r^2 on both sides) and walls, BodyTouchV for other bodies.
-template <class Real, class Law, class Touch, class V = hn::Vec<Lanes<Real>>,
-          class M = hn::Mask<Lanes<Real>>>
-HWY_INLINE ResponseV<V> respond(const StepConstants<Real>& step, const CoefficientsV<V>& k,
-                                const Touch& t, const HistoryV<V>& old, M touching) {
-  constexpr bool kBodies = std::is_same_v<Touch, BodyTouchV<V>>;
-  const Lanes<Real> d;
-  const V zero = hn::Zero(d), one = hn::Set(d, 1), half = hn::Set(d, Real(0.5));
-  const V dt = hn::Set(d, static_cast<Real>(step.dt));
-  const V half_dt = hn::Set(d, static_cast<Real>(0.5 * step.dt));
-  const V tiny = hn::Set(d, Real(1e-15));
-  const ReducedV<V> c = reduce<Law::kDamped>(k, t, half_dt);
-  const Vec3V<V>& n = t.normal;
-  const V vn = t.normal_velocity;
-  ResponseV<V> r;
-  r.reduction = c.reduction;
-
-  // Normal force. w v_n of a first touch is v_n/2 - overlap/dt.
-  const V closing = hn::Neg(hn::Mul(vn, dt));
-  const M fresh = hn::And(touching, hn::Lt(t.overlap, closing));
-  V damped_velocity = vn;
-  if (step.clamped) {
-    const V rate = hn::Set(d, static_cast<Real>(1 / step.dt));
-    damped_velocity =
-        hn::IfThenElse(fresh, hn::NegMulAdd(rate, t.overlap, hn::Mul(half, vn)), vn);
-  }
-  V spring_n = hn::Mul(c.kn, t.overlap);
-  if constexpr (kBodies) spring_n = hn::Mul(c.reduction, t.elastic_force);
-  V fn = hn::NegMulAdd(c.cn, damped_velocity, spring_n);
-  if (step.clamped) fn = hn::Max(zero, fn);
-  fn = hn::IfThenElseZero(touching, fn);
-
-  // Tangential force: trial, then Coulomb's cap on spring and dashpot together.
-  const Vec3V<V> vt = add_scaled(t.at_point, hn::Neg(dot(n, t.at_point)), n);
-  const Vec3V<V> spring_old = keep_if(touching, carry_spring(old.spring, t, half_dt, c.turn));
-  const Vec3V<V> spring_trial = add_scaled(spring_old, hn::IfThenElseZero(touching, dt), vt);
-  const V cap = hn::Mul(k.mu, hn::Abs(fn));
-  const V trial2 = dot(spring_trial, spring_trial);
-  const V spring_force = hn::Mul(c.kt, hn::Sqrt(trial2));
-  V spring_cut;
-  if constexpr (Law::kDamped) {
-    const V ct_here = hn::IfThenElseZero(touching, c.ct);
-    const Vec3V<V> trial = scale(hn::Neg(c.kt), spring_trial) + scale(hn::Neg(ct_here), vt);
-    const V trial_size = hn::Sqrt(dot(trial, trial));
-    const V size_a = hn::Max(trial_size, tiny), size_b = hn::Max(spring_force, tiny);
-    const V cap_over_both = hn::Div(cap, hn::Mul(size_a, size_b));
-    const M slides = hn::Gt(trial_size, cap);
-    r.tangential = scale(hn::IfThenElse(slides, hn::Mul(cap_over_both, size_b), one), trial);
-    spring_cut = hn::IfThenElse(hn::And(slides, hn::Gt(spring_force, cap)),
-                                hn::Mul(cap_over_both, size_a), one);
-    r.spring = scale(spring_cut, spring_trial);
-  } else {
-    spring_cut = hn::IfThenElse(hn::Gt(spring_force, cap),
-                                hn::Div(cap, hn::Max(spring_force, tiny)), one);
-    r.spring = scale(spring_cut, spring_trial);
-    r.tangential = scale(hn::Neg(c.kt), r.spring);
-  }
-  r.force = add_scaled(r.tangential, fn, n);
-  r.moment = {zero, zero, zero};
-  const Vec3V<V> spin = t.spin_i - t.spin_j;
-  if (Law::kRolling && step.rolling) {
-    const Vec3V<V> roll = add_scaled(spin, hn::Neg(dot(spin, n)), n);
-    const V size = hn::Sqrt(dot(roll, roll));
-    const V most = hn::Mul(hn::Mul(k.mur, t.rolling_radius), fn);
-    const V stop = hn::Div(size, hn::Mul(hn::Mul(t.inverse_inertia, dt),
-                                         hn::Max(hn::Set(d, 2), t.contacts)));
-    r.moment = scale(hn::Neg(hn::Div(hn::Min(hn::Max(most, zero), stop), hn::Max(size, tiny))), roll);
-  }
-
-  // Ledger: exact work of old and new force over the step, see scheduler/README.md.
-  r.work = hn::Mul(half_dt, hn::Add(dot(old.force, t.at_old), dot(r.force, t.at_point)));
-  if (Law::kRolling && step.rolling) {
-    r.work = hn::MulAdd(half_dt, dot(old.moment + r.moment, spin), r.work);
-  }
-  V pressed = hn::Mul(c.kn, hn::Mul(t.overlap, t.overlap));
-  if constexpr (kBodies) pressed = hn::Mul(c.reduction, hn::Add(t.stored, t.stored));
-  const V half_kt = hn::Mul(half, c.kt);
-  const V kept2 = hn::Mul(hn::Mul(spring_cut, spring_cut), trial2);
-  r.elastic = hn::IfThenElseZero(touching, hn::MulAdd(half_kt, kept2, hn::Mul(half, pressed)));
-  // 1/2 kt' (xi_old + xi) . (xi_t - xi) with xi = cut xi_t. A lost contact gives its whole spring to
-  // sliding: trial = old spring, kept = 0.
-  const V given = hn::Mul(hn::Sub(one, spring_cut),
-                          hn::MulAdd(spring_cut, trial2, dot(spring_old, spring_trial)));
-  const V lost_spring = hn::IfThenZeroElse(touching, dot(old.spring, old.spring));
-  r.slide = hn::Mul(half_kt, hn::Add(given, lost_spring));
-  const V fn_old = dot(old.force, t.normal_old);
-  r.tangential_damping = zero;
-  if (Law::kDamped && step.damped) {
-    // -dt/2 (dashpot_old + dashpot) . v_t, a dashpot being the tangential force + kt' xi.
-    const Vec3V<V> sum = add_scaled(old.force + r.tangential, c.kt, old.spring + r.spring);
-    const V both = hn::NegMulAdd(fn_old, dot(t.normal_old, vt), dot(sum, vt));
-    r.tangential_damping = hn::Neg(hn::Mul(half_dt, both));
-  }
-  // At first touch -1/2 kn' d (d + dt v_n), at loss of contact 1/2 kn' d_old (d_old - dt v_n).
-  const M lost = hn::And(hn::Not(touching), hn::Gt(fn_old, zero));
-  const V changed = hn::IfThenElse(fresh, t.overlap, hn::IfThenElseZero(lost, t.overlap_old));
-  const V short_of = hn::IfThenElse(fresh, hn::Sub(closing, t.overlap), hn::Add(closing, t.overlap_old));
-  r.numerical_loss = hn::Mul(hn::Mul(half, c.kn), hn::Mul(changed, short_of));
-  return r;
-}
 
 }  // namespace HWY_NAMESPACE
 }  // namespace quern

@@ -17,11 +17,12 @@ HWY_BEFORE_NAMESPACE();
 namespace quern {
 namespace HWY_NAMESPACE {
 
-template <class Real>
+template <class Real, class Springs>
 void sphere_facet(const StepConstants<double>& step, const ParticleView<Real>& p,
                   const WallContacts& walls, const TileRows& tile, ContactTally& tally) {
   const D64 d;
   using V = hn::Vec<D64>;
+  using Law = RollingLaw<Springs>;
   const std::size_t lanes = hn::Lanes(d);
   const V zero = hn::Zero(d), half = hn::Set(d, 0.5);
   TallySumV sum = zero_tally_sum();
@@ -49,7 +50,7 @@ void sphere_facet(const StepConstants<double>& step, const ParticleView<Real>& p
     t.inverse_mass = inverse_mass;
     t.count_rate = hn::Mul(contacts, inverse_mass);
     t.contacts = contacts;
-    t.rolling_radius = radius;
+    t.reduced_radius = radius;
     t.inverse_inertia = hn::Div(hn::Mul(hn::Set(d, 2.5), inverse_mass), hn::Mul(radius, radius));
     HistoryV<V> old;
     old.spring = load3<V>(walls.spring, at);
@@ -66,7 +67,7 @@ void sphere_facet(const StepConstants<double>& step, const ParticleView<Real>& p
     }
     const auto row = hn::Add(hn::Mul(material, hn::Set(D64I(), step.law.materials)), wall_material);
     const CoefficientsV<V> coefficients = load_coefficients<double>(step.law, row);
-    const ResponseV<V> r = respond<double, RollingLaw>(step, coefficients, t, old, touching);
+    const ResponseV<V> r = respond<double, Law>(step, coefficients, t, old, touching);
     const V half_dt = hn::Set(d, 0.5 * step.dt);
     const V pushed = hn::Add(dot(old.force, wall_velocity_old), dot(r.force, wall_velocity));
     const V turned = step.rolling ? dot(old.moment + r.moment, t.spin_j) : zero;
@@ -89,7 +90,7 @@ void sphere_facet(const StepConstants<double>& step, const ParticleView<Real>& p
     store3(r.spring, walls.spring, at);
     store3(r.force, walls.force, at);
     store3(r.moment, walls.moment, at);
-    count_response<double>(r, touching, hn::Div(t.overlap, radius), sum);
+    count_response<double, Law>(r, touching, hn::Div(t.overlap, radius), sum);
 
     const Vec3V<V> torque = add_scaled(r.moment, arm, cross(r.tangential, t.normal));
     const auto index = hn::Sub(hn::LoadU(D32U(), walls.particle + at), hn::Set(D32U(), tile.first));

@@ -78,7 +78,7 @@ HWY_INLINE void set_geometry(const SeparationV<V>& s, V reach, V dt, TouchV<V>& 
 }
 
 // Both partners of a full vector of pairs as the law sees them.
-template <class Real, bool kRolling, class V = hn::Vec<Lanes<Real>>>
+template <class Real, class Law, class V = hn::Vec<Lanes<Real>>>
 HWY_INLINE TouchV<V> touch_of(const StepConstants<Real>& step, const BodyV<Real>& a, V radius_i,
                               const BodyV<Real>& b, V radius_j, const SeparationV<V>& s, V& arm_i,
                               V& arm_j) {
@@ -101,13 +101,14 @@ HWY_INLINE TouchV<V> touch_of(const StepConstants<Real>& step, const BodyV<Real>
   t.inverse_mass = hn::Add(a.inverse_mass, b.inverse_mass);
   t.count_rate = hn::MulAdd(a.contacts, a.inverse_mass, hn::Mul(b.contacts, b.inverse_mass));
   t.contacts = hn::Add(a.contacts, b.contacts);
-  if constexpr (kRolling) {
-    t.rolling_radius = hn::Div(hn::Mul(radius_i, radius_j), reach);
+  t.reduced_radius = t.inverse_inertia = hn::Zero(d);
+  if constexpr (Law::kRolling || Law::kChanging) {
+    t.reduced_radius = hn::Div(hn::Mul(radius_i, radius_j), reach);
+  }
+  if constexpr (Law::kRolling) {
     t.inverse_inertia = hn::Mul(hn::Set(d, Real(2.5)),
                                 hn::Add(hn::Div(a.inverse_mass, hn::Mul(radius_i, radius_i)),
                                         hn::Div(b.inverse_mass, hn::Mul(radius_j, radius_j))));
-  } else {
-    t.rolling_radius = t.inverse_inertia = hn::Zero(d);
   }
   return t;
 }
@@ -348,7 +349,7 @@ HWY_INLINE void sphere_sphere(const StepConstants<Real>& step, const ParticleVie
   const BodyV<Real> b = join_bodies(low_j, high_j, low_motion_j, high_motion_j);
   V arm_i, arm_j;
   const TouchV<V> t =
-      touch_of<Real, Law::kRolling>(step, a, radius_i, b, radius_j, s, arm_i, arm_j);
+      touch_of<Real, Law>(step, a, radius_i, b, radius_j, s, arm_i, arm_j);
 
   using Row = hn::RebindToSigned<Lanes<Real>>;
   const auto states = load_index<Real>(state);
@@ -393,7 +394,7 @@ HWY_INLINE void sphere_sphere(const StepConstants<Real>& step, const ParticleVie
     store_history(episode, touching, behind<std::size(h)>(new_history), at.now);
   }
   at.now += hn::CountTrue(d, touching);
-  if constexpr (kOwn) count_response<Real>(r, touching, hn::Div(t.overlap, radius_i), few.tally);
+  if constexpr (kOwn) count_response<Real, Law>(r, touching, hn::Div(t.overlap, radius_i), few.tally);
 
   const Vec3V<V> twist = cross(r.tangential, t.normal);  // = -n x F_t
   Vec3V<V> torque_j = scale(arm_j, twist);
@@ -467,7 +468,7 @@ void push_parts(const StepConstants<Real>& step, const ParticleView<Real>& p,
   push_part<Real, Law, true>(step, p, found, old, now, tile, at, tally, collisions);
   push_part<Real, Law, false>(step, p, found, old, now, tile, at, tally, collisions);
 }
-template <class Real>
+template <class Real, class Springs>
 void push_pairs(const StepConstants<Real>& step, const ParticleView<Real>& p,
                 const FoundPairs& found, const HistoryView<Real>& old, const HistoryView<Real>& now,
                 const TileRows& tile, ContactTally& tally, PairCollisions<Real>* collisions) {
@@ -479,11 +480,11 @@ void push_pairs(const StepConstants<Real>& step, const ParticleView<Real>& p,
     }
   };
   if (step.rolling) {
-    push(RollingLaw());
+    push(RollingLaw<Springs>());
   } else if (step.damped) {
-    push(DampedLaw());
+    push(DampedLaw<Springs>());
   } else {
-    push(PlainLaw());
+    push(PlainLaw<Springs>());
   }
 }
 

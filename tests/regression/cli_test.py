@@ -58,7 +58,7 @@ class Case(unittest.TestCase):
 
 class Info(Case):
     def test_lists_what_the_code_offers(self):
-        self.expect(0, quern("info"), "linear-spring-dashpot", "normal_stiffness", "N/m", "clamped",
+        self.expect(0, quern("info"), "linear-spring-dashpot", "hertz-mindlin", "young_modulus", "normal_stiffness", "N/m", "clamped",
                     "sphere-sphere", "sphere-facet", "polyhedron-sphere",
                     "polyhedron-polyhedron", "polyhedron-facet", "volume_stiffness",
                     "Polyhedron fields", "angular momentum", "model_work", "inverse_mass", "power", "ledger_error",
@@ -90,6 +90,19 @@ class Check(Case):
 
     def test_refuses_too_few_steps_per_contact(self):
         self.expect(2, quern("check", LAB_MILL, "--set", "run.time_step=1e-4"), "steps per contact")
+
+    def test_bounds_the_step_of_hertz_mindlin_by_impacts_and_by_the_rayleigh_time(self):
+        scene, slow = SCENES / "lab_mill_hertz.toml", "contact.impact_speed=0.01"
+        said = self.expect(0, quern("check", scene), "of impacts at 2.43 m/s", "Rayleigh")
+        # Two small spheres at the fall through the mill, 4.6e-4 s; and their wave, 1.835e-4 s.
+        self.assertRegex(said.stdout, r"small 13.75 mm +small 13.75 mm +45\.8 ")
+        self.assertIn("1.835e-04 s of small 13.75 mm; the step is 0.0545 of it", said.stdout)
+        self.assertNotIn("warning", said.stderr)
+        self.expect(2, quern("check", scene, "--set", "run.time_step=1.3e-4"), "steps per contact")
+        result = quern("check", scene, "--set", "run.time_step=1e-4", "--set", slow)
+        self.expect(0, result, "0.55 of the Rayleigh time")
+        self.expect(2, quern("check", scene, "--set", "run.time_step=2e-4", "--set", slow),
+                    "Rayleigh time", "1 of it is allowed")
 
     def test_writes_nothing(self):
         self.expect(0, quern("check", BOUNCE, cwd=self.folder))

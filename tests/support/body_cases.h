@@ -56,7 +56,9 @@ inline Wanted wanted_contact(const twin::Coefficients& law, double size, Random&
       fresh ? depth / kCaseStep * random(1.01, 4) : random(-10, 1) * 1e4 * depth;
   const Vec3 any = random.in_cube(0.5);
   w.at_point = any - (approach + any.dot(w.normal)) * w.normal;
-  if (!fresh) w.history = random_history(law, w.normal_old, depth, false, random);
+  if (!fresh) {
+    w.history = random_history(twin::at_overlap(law, depth, size), w.normal_old, depth, false, random);
+  }
   return w;
 }
 
@@ -189,7 +191,7 @@ struct NearCases {
       }
     }
     history_of[k][9] = static_cast<Real>(w.overlap_old);
-    contact.push_back(twin::sphere_polyhedron(particles(), view(), k, law_here.kn));
+    contact.push_back(twin::sphere_polyhedron(particles(), view(), k, law_here));
     const twin::History old = {stored(0, k), stored(3, k), Vec3::Zero()};
     const double history_eps = sizeof(Real) == 4 ? kEps<float> : 0;
     expected.push_back(twin::respond(law_here, contact[k], old,
@@ -256,10 +258,14 @@ struct BodyCases {
     return s;
   }
   // Linear, capped, or any force and energy as of the volume model.
-  static twin::NormalSpring normal_spring(double kn, double overlap, Random& random) {
+  static twin::NormalSpring normal_spring(const twin::Coefficients& law, const twin::Contact& c,
+                                          Random& random) {
     const std::size_t kind = random.below(3);
-    if (kind == 2) return {kn * overlap * random(0.1, 3), kn * overlap * overlap * random(0.1, 3)};
-    return twin::capped_spring(kn, overlap, kind == 0 ? HUGE_VAL : 3e-5);
+    const double radius = c.reduced_radius(), size = twin::at_overlap(law, c.overlap, radius).kn;
+    if (kind == 2) {
+      return {size * c.overlap * random(0.1, 3), size * c.overlap * c.overlap * random(0.1, 3)};
+    }
+    return twin::capped_spring(law, c.overlap, radius, kind == 0 ? HUGE_VAL : 3e-5);
   }
   void make_contact(std::size_t k, Random& random) {
     twin::Contact c;
@@ -268,6 +274,8 @@ struct BodyCases {
     if (random.below(3) == 0) {  // a wall
       c.j = twin::Side();
       c.j.spin = random.in_cube(3);
+    } else {
+      c.rock_radius = random(0.01, 0.05);
     }
     law_row[k] = static_cast<Index>(random.below(options.materials * options.materials));
     const twin::Coefficients here = twin::coefficients(step.law, law_row[k] / options.materials,
@@ -280,7 +288,7 @@ struct BodyCases {
     c.overlap_old = w.overlap_old;
     c.velocity = w.at_point - c.i.spin.cross(c.i.lever) + c.j.spin.cross(c.j.lever);
     c.velocity_old = c.velocity + random.in_cube(1e-3);
-    c.spring = normal_spring(here.kn, c.overlap, random);
+    c.spring = normal_spring(here, c, random);
     contact.push_back(c);
     expected.push_back(
         twin::respond(here, c, w.history, {step.dt, options.clamped, false, kEps<double>}));
@@ -309,7 +317,8 @@ struct BodyCases {
         {B::kCountRate, c.i.contacts * c.i.inverse_mass + c.j.contacts * c.j.inverse_mass},
         {B::kTangentialCountRate, c.i.contacts * turning_i + c.j.contacts * turning_j},
         {B::kElasticForce, c.spring->force},
-        {B::kStored, c.spring->stored}};
+        {B::kStored, c.spring->stored},
+        {B::kReducedRadius, c.reduced_radius()}};
     for (const auto& [row, value] : single) view().row(row)[k] = value;
   }
 };

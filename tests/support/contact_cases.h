@@ -60,19 +60,23 @@ Record<Real> record_of(const Vec3& x, const Vec3& v, const Vec3& w, double radiu
 struct CaseOptions {
   Index materials = 1;
   bool clamped = true, tangential_damping = true, rolling = false, periodic = false;
+  ForceLaw law = ForceLaw::kLinearSpringDashpot;
 };
 
 inline std::vector<CaseOptions> all_options() {
   std::vector<CaseOptions> all;
-  for (int bits = 0; bits < 32; ++bits) {
-    all.push_back(
-        {bits & 1 ? 3u : 1u, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0, (bits & 16) != 0});
+  for (const ForceLaw law : {ForceLaw::kLinearSpringDashpot, ForceLaw::kHertzMindlin}) {
+    for (int bits = 0; bits < 32; ++bits) {
+      all.push_back({bits & 1 ? 3u : 1u, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0,
+                     (bits & 16) != 0, law});
+    }
   }
   return all;
 }
 
 inline std::string name_of(const CaseOptions& o) {
-  return std::string(o.materials > 1 ? "3 materials" : "1 material") +
+  return std::string(o.law == ForceLaw::kHertzMindlin ? "Hertz-Mindlin, " : "") +
+         std::string(o.materials > 1 ? "3 materials" : "1 material") +
          (o.clamped ? ", clamped" : ", unclamped") + (o.tangential_damping ? ", damped" : "") +
          (o.rolling ? ", rolling" : "") + (o.periodic ? ", periodic" : "");
 }
@@ -81,16 +85,21 @@ inline std::string name_of(const CaseOptions& o) {
 template <class Real>
 struct RandomLaw {
   std::vector<Real> column[6];
-  RandomLaw(const CaseOptions& o, unsigned seed) {
+  ForceLaw kind;
+  RandomLaw(const CaseOptions& o, unsigned seed) : kind(o.law) {
+    const bool hertz = kind == ForceLaw::kHertzMindlin;
     Random random(seed);
     for (auto& c : column) c.resize(o.materials * o.materials);
     for (Index a = 0; a < o.materials; ++a) {
       for (Index b = 0; b <= a; ++b) {
-        const double kn = random(1e5, 2e7), zeta = random(0.05, 0.6), kt = random(0.3, 0.8) * kn;
+        // N/m; of Hertz-Mindlin 4/3 E* and 8 G*, Pa.
+        const double kn = hertz ? random(1e8, 1e10) : random(1e5, 2e7);
+        const double zeta = random(0.05, 0.6), kt = hertz ? 1.2 * kn : random(0.3, 0.8) * kn;
+        const double at = 2 * zeta * std::sqrt(kt * (hertz ? 5.0 / 6 : 2.0 / 7));
         const double values[6] = {kn,
                                   kt,
-                                  2 * zeta * std::sqrt(kn),
-                                  o.tangential_damping ? 2 * zeta * std::sqrt(kt * 2 / 7) : 0,
+                                  2 * zeta * std::sqrt(hertz ? 1.25 * kn : kn),
+                                  o.tangential_damping ? at : 0,
                                   random(0.1, 0.7),
                                   o.rolling ? random(0.001, 0.1) : 0};
         for (std::size_t k = 0; k < 6; ++k) {
@@ -102,7 +111,7 @@ struct RandomLaw {
   }
   LawTable<Real> table(Index materials) const {
     return {column[0].data(), column[1].data(), column[2].data(), column[3].data(),
-            column[4].data(), column[5].data(), materials};
+            column[4].data(), column[5].data(), materials,        kind};
   }
 };
 
@@ -223,7 +232,7 @@ struct PairCases {
     batch.begin[1] = static_cast<Index>(blocks);
     set_histories(batch, histories);
     PairScratch<Real> scratch;
-    push_tile_pairs(choose_kernels<Real>(), step, particles(), batch, 0, rows, scratch, tally);
+    push_tile_pairs(choose_kernels<Real>(step.law.kind), step, particles(), batch, 0, rows, scratch, tally);
   }
   void set_history(std::size_t k, const twin::History& h) { histories[k] = rounded<Real>(h); }
   const twin::History& history(std::size_t k) const { return histories[k]; }
@@ -278,8 +287,11 @@ struct PairCases {
                    const Vec3& normal_old, Random& random) {
     twin::History h;
     if (state == TouchState::kPersisting || state == TouchState::kLost) {
-      h = random_history(twin::coefficients(law.table(o.materials), material[0], material[1]),
-                         normal_old, overlap, o.rolling, random);
+      const auto at = twin::coefficients(law.table(o.materials), material[0], material[1]);
+      const double a = static_cast<double>(record[2 * k].radius);
+      const double b = static_cast<double>(record[2 * k + 1].radius);
+      h = random_history(twin::at_overlap(at, overlap, a * b / (a + b)), normal_old, overlap,
+                         o.rolling, random);
     }
     set_history(k, h);
   }

@@ -52,6 +52,8 @@ struct TallyTwin {
     error.tangential_damping += r.damping_error;
     sum.numerical_loss += r.numerical_loss;
     error.numerical_loss += r.loss_error;
+    sum.model_work += r.model_work;
+    error.model_work += r.model_error;
     const double depth = c.overlap / c.least_radius();
     sum.contacts += c.touching ? 1 : 0;
     sum.warnings += c.touching && depth > 0.5 ? 1 : 0;
@@ -63,6 +65,7 @@ struct TallyTwin {
     EXPECT_NEAR(got.slide, sum.slide, kUnits * error.slide);
     EXPECT_NEAR(got.tangential_damping, sum.tangential_damping, kUnits * error.tangential_damping);
     EXPECT_NEAR(got.numerical_loss, sum.numerical_loss, kUnits * error.numerical_loss);
+    EXPECT_NEAR(got.model_work, sum.model_work, kUnits * error.model_work);
     EXPECT_EQ(got.contacts, sum.contacts);
     EXPECT_EQ(got.warnings, sum.warnings);
     // Overlap over radius; the overlap is a difference of lengths some 5 radii long.

@@ -22,7 +22,15 @@ struct Law {
   double restitution = 0.5, sliding = 0.5, rolling = 0;
   NormalForce normal_force = NormalForce::kClamped;
   bool tangential_damping = true;
+  ForceLaw springs = ForceLaw::kLinearSpringDashpot;
+  double young = 1e9, poisson = 0.3;  // Pa, of Hertz-Mindlin
 };
+
+inline Law hertz_law() {
+  Law law;
+  law.springs = ForceLaw::kHertzMindlin;
+  return law;
+}
 
 // The law of LAMMPS' and LIGGGHTS' linear springs: pulls at the end, no tangential damping.
 inline Law peer_law(double restitution, double sliding) {
@@ -44,8 +52,14 @@ inline Scene small_scene(const Law& law, double dt, double half_size = 8) {
   scene.materials = {{"ore", kDensity, 0}};
   scene.contact.normal_force = law.normal_force;
   scene.contact.tangential_damping = law.tangential_damping;
-  scene.contact.normal_stiffness = law.kn;
-  scene.contact.tangential_stiffness = law.kt;
+  scene.contact.law = law.springs;
+  if (law.springs == ForceLaw::kHertzMindlin) {
+    scene.materials[0].young_modulus = law.young;
+    scene.materials[0].poisson_ratio = law.poisson;
+  } else {
+    scene.contact.normal_stiffness = law.kn;
+    scene.contact.tangential_stiffness = law.kt;
+  }
   scene.contact.restitution = law.restitution;
   scene.contact.sliding_friction = law.sliding;
   scene.contact.rolling_friction = law.rolling;
@@ -77,6 +91,22 @@ inline double sphere_mass(double diameter, double density = kDensity) {
 // pi sqrt(m_e / kn), the unit of "steps per contact".
 inline double normal_contact_time(double reduced_mass, double kn) {
   return kPi * std::sqrt(reduced_mass / kn);
+}
+
+// 4/3 E* of two spheres of one material, Pa.
+inline double hertz_modulus(double young, double poisson) {
+  return 4.0 / 3 * young / (2 * (1 - poisson * poisson));
+}
+// The deepest overlap of Hertz' springs without damping, 2/5 k d^(5/2) = 1/2 m v^2, and how long the
+// contact takes.
+inline double hertz_depth(double reduced_mass, double reduced_radius, double modulus,
+                          double speed) {
+  const double k = modulus * std::sqrt(reduced_radius);
+  return std::pow(5 * reduced_mass * speed * speed / (4 * k), 0.4);
+}
+inline double hertz_contact_time(double reduced_mass, double reduced_radius, double modulus,
+                                 double speed) {
+  return 2.94328 * hertz_depth(reduced_mass, reduced_radius, modulus, speed) / speed;
 }
 
 template <class Real>

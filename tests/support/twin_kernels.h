@@ -18,13 +18,30 @@ namespace quern::twin {
 
 struct Coefficients {
   double kn, kt, normal_damping, tangential_damping, mu, mur;
+  ForceLaw law = ForceLaw::kLinearSpringDashpot;
+  bool hertz() const { return law == ForceLaw::kHertzMindlin; }
+  // What the normal spring stores over its force times the overlap.
+  double share() const { return hertz() ? 0.4 : 0.5; }
 };
+
+// Stiffnesses and dashpots at an overlap: those of Hertz and Mindlin go as the radius of the contact
+// and as its root.
+inline Coefficients at_overlap(Coefficients k, double overlap, double reduced_radius) {
+  if (!k.hertz()) return k;
+  const double a = std::sqrt(reduced_radius * std::max(0.0, overlap));
+  k.kn *= a;
+  k.kt *= a;
+  k.normal_damping *= std::sqrt(a);
+  k.tangential_damping *= std::sqrt(a);
+  return k;
+}
 
 template <class Real>
 Coefficients coefficients(const LawTable<Real>& law, Index a, Index b) {
   const std::size_t row = a * law.materials + b;
   return {law.normal_stiffness[row],   law.tangential_stiffness[row], law.normal_damping[row],
-          law.tangential_damping[row], law.sliding_friction[row],     law.rolling_friction[row]};
+          law.tangential_damping[row], law.sliding_friction[row],     law.rolling_friction[row],
+          law.kind};
 }
 
 // One side of a contact. A wall has no mass (inverse_mass 0), no lever and an infinite radius.
@@ -42,9 +59,11 @@ struct Side {
 struct NormalSpring {
   double force = 0, stored = 0;  // N, J, at full stiffness
 };
-inline NormalSpring capped_spring(double kn, double overlap, double cap) {
-  if (overlap < cap) return {kn * overlap, 0.5 * kn * overlap * overlap};
-  return {kn * cap, 0.5 * kn * cap * cap + kn * cap * (overlap - cap)};
+inline NormalSpring capped_spring(const Coefficients& k, double overlap, double reduced_radius,
+                                  double cap) {
+  const double depth = std::min(overlap, cap);
+  const double force = at_overlap(k, depth, reduced_radius).kn * depth;
+  return {force, k.share() * force * depth + force * (overlap - depth)};
 }
 
 struct Contact {
@@ -59,6 +78,7 @@ struct Contact {
   bool touching = false;
   // Overlaps are judged by it; of two spheres i is the smaller.
   double least_radius() const { return std::min(i.radius, rock_radius); }
+  double reduced_radius() const { return 1 / (1 / i.radius + 1 / std::min(j.radius, rock_radius)); }
 };
 
 struct History {
@@ -76,10 +96,12 @@ struct Response {
   Vec3 force = Vec3::Zero(), tangential = Vec3::Zero(), moment = Vec3::Zero();
   Vec3 spring = Vec3::Zero(), torque_i = Vec3::Zero(), torque_j = Vec3::Zero();
   double work = 0, elastic = 0, slide = 0, tangential_damping = 0, numerical_loss = 0;
+  double model_work = 0;
   double reduction = 1;  // kn' / kn
   // Scales of the errors of the above.
   double force_error = 0, moment_error = 0, spring_error = 0, torque_error = 0;
   double work_error = 0, elastic_error = 0, slide_error = 0, damping_error = 0, loss_error = 0;
+  double model_error = 0;
   bool fresh = false, slides = false;
   double fresh_margin = 1, slide_margin = 1;  // relative distance from the branch points
 };
@@ -95,6 +117,9 @@ inline Mat3 rotation_between(const Vec3& a, const Vec3& b) {
 // What the pieces of the law share.
 struct Terms {
   double kn, kt, cn, ct;  // as they act
+  double reduction;       // kn over what it is without damping
+  double kt_old = 0;      // a step ago, likewise
+  bool damped = false;    // along the surface
   Vec3 slip, slip_old;    // velocity of the contact point, tangential and (old) whole
   Vec3 at_point;
   double vn, speed;              // speed: bound of all velocities at the contact
@@ -111,7 +136,8 @@ inline Terms terms(const Coefficients& k, const Contact& c, double dt) {
   const double load_t = c.i.contacts * (c.i.inverse_mass + c.i.turning) +
                         c.j.contacts * (c.j.inverse_mass + c.j.turning);
   Terms t;
-  t.kn = k.kn / (1 + dt * cn / (2 * m_e));
+  t.reduction = 1 / (1 + dt * cn / (2 * m_e));
+  t.kn = k.kn * t.reduction;
   t.kt = k.kt / (1 + dt * ct / (2 * m_t));
   t.cn = cn / (1 + 0.5 * dt * cn / m_e * std::max(1.0, m_e * load_n));
   t.ct = ct / (1 + 0.5 * dt * ct / m_t * std::max(1.0, m_t * load_t));
@@ -122,9 +148,9 @@ inline Terms terms(const Coefficients& k, const Contact& c, double dt) {
   t.vn = n.dot(t.at_point);
   t.speed =
       c.velocity.norm() + c.i.lever.norm() * c.i.spin.norm() + c.j.lever.norm() * c.j.spin.norm();
-  const NormalSpring linear = {k.kn * c.overlap, 0.5 * k.kn * c.overlap * c.overlap};
-  t.elastic_force = t.kn / k.kn * c.spring.value_or(linear).force;
-  t.stored = t.kn / k.kn * c.spring.value_or(linear).stored;
+  const NormalSpring plain = {k.kn * c.overlap, k.share() * k.kn * c.overlap * c.overlap};
+  t.elastic_force = t.reduction * c.spring.value_or(plain).force;
+  t.stored = t.reduction * c.spring.value_or(plain).stored;
   return t;
 }
 
@@ -172,32 +198,54 @@ inline Vec3 rolling_moment(const Coefficients& k, const Contact& c, const Option
 
 // Work of the contact over the last step and where it went. The numerical loss is that of a linear
 // spring, whatever the spring is.
-inline void ledger(const Contact& c, const History& old, const Options& o, const Terms& t,
-                   const Vec3& spring_old, const Vec3& spring_trial, Response& r) {
+inline void ledger(const Coefficients& k, const Contact& c, const History& old, const Options& o,
+                   const Terms& t, const Vec3& spring_old, const Vec3& spring_trial, Response& r) {
   const Vec3 spin = c.i.spin - c.j.spin;
   r.work = 0.5 * o.dt * (old.force.dot(t.slip_old) + r.force.dot(t.at_point));
   if (o.rolling) r.work += 0.5 * o.dt * (old.moment + r.moment).dot(spin);
   const double fn_old = old.force.dot(c.normal_old);
-  Vec3 dashpot = old.force - fn_old * c.normal_old + t.kt * old.spring;
+  Vec3 dashpot = old.force - fn_old * c.normal_old + t.kt_old * old.spring;
+  // Trapezoid of the spring's work less what it stores.
+  const double half_way = 0.5 * o.dt * t.vn;
   if (c.touching) {
     r.elastic = t.stored + 0.5 * t.kt * r.spring.squaredNorm();
-    r.slide = 0.5 * t.kt * (spring_old + r.spring).dot(spring_trial - r.spring);
+    r.slide = 0.5 * (t.kt_old * spring_old + t.kt * r.spring).dot(spring_trial - r.spring);
+    r.model_work = 0.5 * (t.kt - t.kt_old) * spring_old.dot(r.spring);
     dashpot += r.tangential + t.kt * r.spring;
-    if (r.fresh) r.numerical_loss = -0.5 * t.kn * c.overlap * (o.dt * t.vn + c.overlap);
+    if (r.fresh) r.numerical_loss = -t.kn * c.overlap * (half_way + k.share() * c.overlap);
   } else {
-    r.slide = 0.5 * t.kt * old.spring.squaredNorm();
+    r.slide = 0.5 * t.kt_old * old.spring.squaredNorm();
     if (fn_old > 0) {
-      r.numerical_loss = 0.5 * t.kn * c.overlap_old * (c.overlap_old - o.dt * t.vn);
+      r.numerical_loss = t.kn * c.overlap_old * (k.share() * c.overlap_old - half_way);
     }
   }
   // Without a dashpot the spring carries all of the force; random histories need not say so.
-  r.tangential_damping = t.ct > 0 ? -0.5 * o.dt * dashpot.dot(t.slip) : 0;
+  r.tangential_damping = t.damped ? -0.5 * o.dt * dashpot.dot(t.slip) : 0;
 }
 
 // An upper bound of what one unit in the last place of each intermediate result can do.
-inline void set_errors(const Coefficients& k, const Contact& c, const History& old,
-                       const Options& o, const Terms& t, Response& r) {
+// What rounding of an overlap makes of stiffnesses: share of the ones of now, kn and kt (N/m) of a
+// step ago.
+struct StiffnessErrors {
+  double share = 0, kn_old = 0, kt_old = 0;
+};
+inline StiffnessErrors stiffness_errors(const Coefficients& table, const Contact& c,
+                                        const Options& o, const Terms& t, double slack) {
+  StiffnessErrors e;
+  if (!table.hertz()) return e;
+  if (c.touching) e.share = slack / c.overlap;
+  const double before = std::max(0.0, c.overlap_old), off = o.eps * o.dt * t.speed + slack;
+  const double grown =
+      std::sqrt(c.reduced_radius()) * (std::sqrt(before + off) - std::sqrt(before));
+  e.kn_old = table.kn * grown + o.eps * at_overlap(table, before, c.reduced_radius()).kn;
+  e.kt_old = table.kt * grown + o.eps * t.kt_old;
+  return e;
+}
+
+inline void set_errors(const Coefficients& table, const Coefficients& k, const Contact& c,
+                       const History& old, const Options& o, const Terms& t, Response& r) {
   const double slack = 0x1p-52 * c.extent;  // of the overlap, from f64 positions
+  const StiffnessErrors grown = stiffness_errors(table, c, o, t, slack);
   const double spring = old.spring.norm() + o.dt * t.speed;
   const double reach = std::abs(c.overlap) + o.dt * t.speed;
   const double size = std::max(t.kn * std::abs(c.overlap), std::abs(t.elastic_force)) +
@@ -208,8 +256,8 @@ inline void set_errors(const Coefficients& k, const Contact& c, const History& o
   const double spins = c.i.spin.norm() + c.j.spin.norm();
   const double roll = (spin - spin.dot(c.normal) * c.normal).norm();
   const double rolling_radius = 1 / (1 / c.i.radius + 1 / c.j.radius);
-  r.force_error = (1 + k.mu) * (o.eps * size + t.kn * slack + t.kt * carried);
-  r.spring_error = o.eps * spring + carried + (k.kt > 0 ? k.mu / t.kt * r.force_error : 0);
+  r.force_error = (1 + k.mu) * ((o.eps + grown.share) * size + t.kn * slack + t.kt * carried);
+  r.spring_error = o.eps * spring + carried + (t.kt > 0 ? k.mu / t.kt * r.force_error : 0);
   r.moment_error = k.mur * rolling_radius * r.force_error +
                    o.eps * r.moment.norm() * (1 + spins / std::max(roll, 1e-300));
   const double arm = std::max(c.i.lever.norm(), c.j.lever.norm());
@@ -219,18 +267,28 @@ inline void set_errors(const Coefficients& k, const Contact& c, const History& o
   const double pressed = t.kn * std::abs(c.overlap) * (o.eps * std::abs(c.overlap) + slack);
   r.elastic_error =
       std::max(pressed, o.eps * t.stored) + t.kt * spring * (r.spring_error + o.eps * spring);
-  r.slide_error = t.kt * spring * (r.spring_error + o.eps * spring);
-  r.damping_error =
-      o.dt * t.speed * (r.force_error + t.kt * r.spring_error + o.eps * (size + before));
+  const double stiffest = std::max(t.kt, t.kt_old);
+  const double old_spring = grown.kt_old * spring;
+  r.slide_error =
+      spring * (stiffest * (r.spring_error + (o.eps + grown.share) * spring) + old_spring);
+  if (table.hertz()) r.model_error = r.slide_error;
+  r.damping_error = o.dt * t.speed * (r.force_error + stiffest * r.spring_error +
+                                      o.eps * (size + before) + old_spring);
   const double deep = std::max(reach, std::abs(c.overlap_old));
-  r.loss_error = t.kn * deep * (o.eps * deep + slack);
+  r.loss_error = deep * (t.kn * (o.eps * deep + slack) + grown.kn_old * deep);
 }
 
-inline Response respond(const Coefficients& k, const Contact& c, const History& old,
+// `table` is of the pair of materials. What is lost gives back what it was a step ago.
+inline Response respond(const Coefficients& table, const Contact& c, const History& old,
                         const Options& o) {
   Response r;
-  const Terms t = terms(k, c, o.dt);
-  r.reduction = t.kn / k.kn;
+  const double reduced = c.reduced_radius();
+  const Coefficients k_old = at_overlap(table, c.overlap_old, reduced);
+  const Coefficients k = c.touching ? at_overlap(table, c.overlap, reduced) : k_old;
+  Terms t = terms(k, c, o.dt);
+  t.kt_old = terms(k_old, c, o.dt).kt;
+  t.damped = table.tangential_damping > 0;
+  r.reduction = t.reduction;
   const double fn = normal_force(c, o, t, r);
   Vec3 spring_old, spring_trial;
   friction(k, c, old, o, t, fn, r, spring_old, spring_trial);
@@ -238,8 +296,8 @@ inline Response respond(const Coefficients& k, const Contact& c, const History& 
   r.moment = rolling_moment(k, c, o, fn);
   r.torque_i = c.i.lever.cross(r.force) + r.moment;
   r.torque_j = c.j.lever.cross(-r.force) - r.moment;
-  ledger(c, old, o, t, spring_old, spring_trial, r);
-  set_errors(k, c, old, o, t, r);
+  ledger(k, c, old, o, t, spring_old, spring_trial, r);
+  set_errors(table, k, c, old, o, t, r);
   return r;
 }
 
@@ -306,10 +364,10 @@ Contact sphere_facet(const ParticleView<Real>& p, const WallContacts& walls, std
   return c;
 }
 
-// Lane k of the contacts of spheres (i) with polyhedra (j); kn for the capped spring.
+// Lane k of the contacts of spheres (i) with polyhedra (j); the law is for the capped spring.
 template <class Real>
 Contact sphere_polyhedron(const ParticleView<Real>& p, const NearContacts<Real>& near,
-                          std::size_t k, double kn) {
+                          std::size_t k, const Coefficients& law) {
   const NearTouch& found = near.touch[k];
   const auto motion = [&](int first) {
     return Vec3(Eigen::Map<const Vec3>(near.motion[k] + first));
@@ -331,7 +389,9 @@ Contact sphere_polyhedron(const ParticleView<Real>& p, const NearContacts<Real>&
   c.j.lever_old = {old(10), old(11), old(12)};
   c.j.turning = c.j.lever.squaredNorm() * near.motion[k][7];
   c.rock_radius = near.radius[k];
-  if (near.overlap_cap > 0) c.spring = capped_spring(kn, c.overlap, near.overlap_cap);
+  if (near.overlap_cap > 0) {
+    c.spring = capped_spring(law, c.overlap, c.reduced_radius(), near.overlap_cap);
+  }
   return c;
 }
 

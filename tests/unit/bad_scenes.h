@@ -164,6 +164,35 @@ density = "4500 kg/m^3")",
      R"(density = "4500 kg/m^3")",
      R"(density = "0 kg/m^3")",
      {R"~(9:11: error: material 'ore' is used by particles and needs a 'density' greater than 0)~"}},
+    {"HertzMindlinWithoutModuli",
+     R"(law = "linear-spring-dashpot")",
+     R"(law = "hertz-mindlin")",
+     {R"~(8:1: error: material 'ore' needs a 'young_modulus': law = "hertz-mindlin" asks for it)~",
+      R"~(8:1: error: material 'ore' needs a 'poisson_ratio': law = "hertz-mindlin" asks for it)~",
+      R"~(10:1: error: material 'steel' needs a 'young_modulus': law = "hertz-mindlin" asks for it)~",
+      R"~(10:1: error: material 'steel' needs a 'poisson_ratio': law = "hertz-mindlin" asks for it)~"}},
+    {"HertzMindlinByVolume",
+     R"(density = "4500 kg/m^3"
+[materials.steel]
+density = "7800 kg/m^3"
+[contact]
+law = "linear-spring-dashpot")",
+     R"(density = "4500 kg/m^3"
+young_modulus = "50 MPa"
+poisson_ratio = 0.3
+[materials.steel]
+density = "7800 kg/m^3"
+young_modulus = "50 MPa"
+poisson_ratio = 0.3
+[contact]
+normal_model = "volume"
+law = "hertz-mindlin")",
+     {R"~(17:16: error: 'normal_model': "volume" is no Hertz contact: it needs law = "linear-spring-dashpot")~"}},
+    {"ModuliThatAreNone",
+     R"(density = "7800 kg/m^3")",
+     "density = \"7800 kg/m^3\"\nyoung_modulus = \"0 GPa\"\npoisson_ratio = 0.6",
+     {R"~(12:17: error: 'young_modulus': "0 GPa" is not allowed (must be greater than 0))~",
+      R"~(13:17: error: 'poisson_ratio': 0.6 is not allowed (must be between 0 and 0.5))~"}},
     {"ZeroTimeStep",
      R"(time_step = "1e-5 s")",
      R"(time_step = "0 s")",
@@ -192,7 +221,7 @@ revolutions = 1)",
     {"UnknownLaw",
      R"(law = "linear-spring-dashpot")",
      R"(law = "hertz")",
-     {R"~(13:7: error: 'law': "hertz" is not known (linear-spring-dashpot))~"}},
+     {R"~(13:7: error: 'law': "hertz" is not known (linear-spring-dashpot, hertz-mindlin))~"}},
     {"UnknownEnds",
      R"(rotation = "30 rpm")",
      R"(rotation = "30 rpm"

@@ -91,7 +91,7 @@ void check_near(NearCases<Real>& cases, unsigned seed) {
   NearContacts<Real> contacts = cases.view();
   contacts.told = told.data();
   for (std::size_t k = 0; k < cases.count; ++k) cases.history_of[k][13] = Real(k + 1);
-  choose_kernels<Real>().push_spheres(cases.step, cases.particles(), contacts,
+  choose_kernels<Real>(cases.step.law.kind).push_spheres(cases.step, cases.particles(), contacts,
                                       rows.tile(cases.kFirst, cases.spheres()), got);
   for (std::size_t k = 0; k < cases.count; ++k) {
     const twin::Response& r = cases.expected[k];
@@ -226,6 +226,7 @@ void check_bodies(BodyCases& cases) {
     near(B::kSlide, r.slide, r.slide_error);
     near(B::kTangentialDamping, r.tangential_damping, r.damping_error);
     near(B::kNumericalLoss, r.numerical_loss, r.loss_error);
+    near(B::kModelWork, r.model_work, r.model_error);
     near(B::kReduction, r.reduction, kEps<double>);
     near(B::kNormalForce, r.force.dot(cases.contact[k].normal), r.force_error);
   }
@@ -247,7 +248,7 @@ TYPED_TEST(BodyTwins, OfPolyhedraAndWallsAgreeOnEveryTarget) {
           SCOPED_TRACE(target + ", " + name_of(o) + ", " + std::to_string(count));
           BodyCases cases(o, count, ++seed);
           const std::vector<double> input(cases.numbers.begin(), cases.numbers.end());
-          choose_kernels<TypeParam>().push_bodies(cases.step, cases.view());
+          choose_kernels<TypeParam>(cases.step.law.kind).push_bodies(cases.step, cases.view());
           check_bodies(cases);
           for (std::size_t k = 0; k < BodyContacts::kSpring * cases.stride; ++k) {
             EXPECT_EQ(cases.numbers[k], input[k]);

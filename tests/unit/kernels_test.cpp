@@ -185,7 +185,7 @@ TYPED_TEST(KernelTwins, OfBlocksOfTwoRowsAddUp) {
       }
       test::set_histories(twice, histories);
       PairScratch<Real> scratch;
-      push_tile_pairs(choose_kernels<Real>(), step, cases.particles(), twice, 0,
+      push_tile_pairs(choose_kernels<Real>(step.law.kind), step, cases.particles(), twice, 0,
                       rows_twice.tile(0, 2 * kMostContacts), scratch, tally_twice);
       for (std::size_t k = 0; k < 2 * kMostContacts * kRowWidth; ++k) {
         EXPECT_EQ(rows_twice.rows[k], 2 * rows.rows[k]);
@@ -316,7 +316,8 @@ void check_walls(const CaseOptions& o, std::size_t count, unsigned seed) {
       const Vec3 wall_velocity = Vec3(r.vx, r.vy, r.vz) + approach * normal + random.in_cube(0.3);
       const Vec3 wall_spin = random.in_cube(3);
       before[k] = fresh ? twin::History()
-                        : test::random_history(coefficients, normal_old, depth, o.rolling, random);
+                        : test::random_history(twin::at_overlap(coefficients, depth, radius),
+                                               normal_old, depth, o.rolling, random);
       const double overlap = lost ? 0 : depth, overlap_old = fresh ? 0 : depth * random(0.5, 2);
       for (Eigen::Index a = 0; a < 3; ++a) {
         walls.geometry[0 + a][k] = lost ? normal_old[a] : normal[a];
@@ -338,7 +339,7 @@ void check_walls(const CaseOptions& o, std::size_t count, unsigned seed) {
   }
   Rows rows(2 * count);
   ContactTally got;
-  choose_kernels<Real>().walls(step, cases.particles(), walls,
+  choose_kernels<Real>(step.law.kind).walls(step, cases.particles(), walls,
                                rows.tile(0, static_cast<Index>(2 * count)), got);
   const auto now = [&](double* const(&from)[3], std::size_t k) {
     return Vec3(from[0][k], from[1][k], from[2][k]);

@@ -130,6 +130,21 @@ TEST(SceneReader, WarnsOfAVolumeStiffnessThatNothingUses) {
   EXPECT_EQ(parse(changed(text, "law =", "normal_model = \"volume\"\nlaw =")).warnings, Lines{});
 }
 
+TEST(SceneReader, WarnsOfStiffnessesThatHertzMindlinDoesNotUse) {
+  const std::vector<std::string> moduli = {
+      "contact.law=hertz-mindlin", "materials.ore.young_modulus=50 MPa",
+      "materials.ore.poisson_ratio=0.3", "materials.steel.young_modulus=2.1e11",
+      "materials.steel.poisson_ratio=0.28"};
+  const SceneResult result = parse(kGoodScene, moduli);
+  ASSERT_EQ(result.errors, Lines{});
+  EXPECT_EQ(result.scene.contact.law, ForceLaw::kHertzMindlin);
+  EXPECT_EQ(result.scene.materials[0].young_modulus, 5e7);
+  EXPECT_EQ(result.scene.materials[1].poisson_ratio, 0.28);
+  const std::string why = "' is not used: it needs law = \"linear-spring-dashpot\"";
+  EXPECT_EQ(result.warnings, (Lines{"mill.toml:14:20: 'normal_stiffness" + why,
+                                    "mill.toml:15:24: 'tangential_stiffness" + why}));
+}
+
 // --- good scenes
 
 TEST(SceneReader, ConvertsToSi) {

@@ -62,6 +62,7 @@ void expect_same(const ContactSpec& a, const ContactSpec& b) {
   EXPECT_EQ(a.normal_model, b.normal_model);
   EXPECT_EQ(a.volume_stiffness, b.volume_stiffness);
   EXPECT_EQ(a.patch_damping, b.patch_damping);
+  EXPECT_EQ(a.impact_speed, b.impact_speed);
   ASSERT_EQ(a.pairs.size(), b.pairs.size());
   for (std::size_t i = 0; i < a.pairs.size(); ++i) {
     const PairCoefficients &p = a.pairs[i], &q = b.pairs[i];
@@ -174,6 +175,8 @@ void expect_same(const Scene& a, const Scene& b) {
     EXPECT_EQ(a.materials[i].name, b.materials[i].name);
     EXPECT_EQ(a.materials[i].density, b.materials[i].density);
     EXPECT_EQ(a.materials[i].hardness, b.materials[i].hardness);
+    EXPECT_EQ(a.materials[i].young_modulus, b.materials[i].young_modulus);
+    EXPECT_EQ(a.materials[i].poisson_ratio, b.materials[i].poisson_ratio);
   }
   ASSERT_EQ(a.mill.has_value(), b.mill.has_value());
   if (a.mill) expect_same(*a.mill, *b.mill);
@@ -249,6 +252,7 @@ constexpr const char* kShipped[] = {"bounce",
                                     "box_packing",
                                     "lab_mill_spheres",
                                     "lab_mill_reference",
+                                    "lab_mill_hertz",
                                     "lab_mill",
                                     "lab_mill_faceted",
                                     "sag_slice_sp",
@@ -313,6 +317,8 @@ periodic = ["y", "x"]
 [materials.ore]
 density = "3.3 t/m^3"
 hardness = "160 HV"
+young_modulus = "70 GPa"
+poisson_ratio = 0.24
 [materials.steel-2]
 [contact]
 law = "linear-spring-dashpot"
@@ -326,6 +332,7 @@ rolling_friction = 0.033
 overlap = "width"
 normal_model = "volume"
 volume_stiffness = "3 GPa"
+impact_speed = "7 m/s"
 patch_damping = false
 [[contact.pair]]
 between = ["ore", "steel-2"]
