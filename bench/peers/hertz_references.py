@@ -18,16 +18,14 @@ import sys
 GOLDEN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tests", "golden")
 ANGLES = range(0, 90, 5)
 GAP = 1e-6  # m
-# e, E and nu of both, mu, diameter, density, v0, step, tangential damping
+# e, E and nu of both, mu, diameter, density, v0, step. Without tangential damping: the solver's dashpot
+# is not cut to the cone, and friction passes Coulomb's limit with it.
 CASES = (
-    (0.3, 1e9, 0.3, 3e8, 0.2, 0.5, 0.02, 4500, 3.0, 1e-7, "off"),
-    (0.8, 1e9, 0.3, 1e9, 0.3, 0.5, 0.02, 4500, 3.0, 1e-7, "off"),
-    (0.3, 1e9, 0.3, 3e8, 0.2, 0.5, 0.02, 4500, 3.0, 1e-7, "on"),
-    (0.75, 5e7, 0.3, 5e7, 0.3, 0.3, 0.01375, 1190, 1.0, 1e-6, "off"),
-    (0.75, 5e7, 0.3, 5e7, 0.3, 0.3, 0.01375, 1190, 1.0, 1e-6, "on"),
+    (0.3, 1e9, 0.3, 3e8, 0.2, 0.5, 0.02, 4500, 3.0, 1e-7),
+    (0.8, 1e9, 0.3, 1e9, 0.3, 0.5, 0.02, 4500, 3.0, 1e-7),
+    (0.75, 5e7, 0.3, 5e7, 0.3, 0.3, 0.01375, 1190, 1.0, 1e-6),
 )
-NAMES = ("restitution young poisson young2 poisson2 mu diameter density v0 dt "
-         "tangential_damping").split()
+NAMES = "restitution young poisson young2 poisson2 mu diameter density v0 dt".split()
 FORMAT = " ".join(["%d"] + ["%.15g"] * 9)
 
 
@@ -71,7 +69,7 @@ fix m1 all property/global youngsModulus peratomtype {c['young']} {c['young2']}
 fix m2 all property/global poissonsRatio peratomtype {c['poisson']} {c['poisson2']}
 fix m3 all property/global coefficientRestitution peratomtypepair 2 {f"{c['restitution']} " * 4}
 fix m4 all property/global coefficientFriction peratomtypepair 2 {f"{c['mu']} " * 4}
-pair_style gran model hertz tangential history tangential_damping {c['tangential_damping']}
+pair_style gran model hertz tangential history tangential_damping off
 pair_coeff * *
 timestep {c['dt']}
 fix move all nve/sphere
@@ -96,7 +94,7 @@ def on_plane(c, folder):
         deck += (f"group g{k} id {k + 1}\nvelocity g{k} set {c['v0'] * math.sin(angle)!r} 0 "
                  f"{-c['v0'] * math.cos(angle)!r} units box\n")
     deck += ("fix wall all wall/gran model hertz tangential history primitive type 2 zplane 0.0 "
-             f"tangential_damping {c['tangential_damping']}\n")
+             f"tangential_damping off\n")
     mass = c["density"] * math.pi / 6 * d**3
     liggghts(deck + tail(c, contact_time(c, mass, d / 2)), folder)
     for angle, row in zip(ANGLES, last_frame(os.path.join(folder, "dump"))):
@@ -134,9 +132,7 @@ def impacts(out, folder):
         with open(os.path.join(out, f"hertz_impacts_{name}.csv"), "w", encoding="utf-8") as file:
             writer = csv.DictWriter(file, rows[0], lineterminator="\n")
             writer.writeheader()
-            for row in rows:
-                row["tangential_damping"] = int(row["tangential_damping"] == "on")
-                writer.writerow(row)
+            writer.writerows(rows)
 
 
 RPM, TURNING, RECORDED = 30, 6.0, 4.0  # s, of which the last are recorded
@@ -177,14 +173,14 @@ fix m3 all property/global coefficientRestitution peratomtypepair 4 0.65 0.65 0.
   0.65 0.65 0.75 0.7 0.75 0.75 0.75 0.75 0.7 0.7 0.75 0.7
 fix m4 all property/global coefficientFriction peratomtypepair 4 0.3 0.3 0.3 0.3 0.3 0.3 0.3 0.3 &
   0.3 0.3 0.3 0.3 0.3 0.3 0.3 0.3
-pair_style gran model hertz tangential history tangential_damping DAMPED
+pair_style gran model hertz tangential history tangential_damping off
 pair_coeff * *
 timestep STEP
 fix weight all gravity 9.81 vector 0 -1 0
 fix liner all mesh/surface/stress file GOLDEN/lab_mill_liner.stl type 3 reference_point 0 0 0
 fix ends all mesh/surface/stress file GOLDEN/lab_mill_ends.stl type 4 reference_point 0 0 0
 fix walls all wall/gran model hertz tangential history mesh n_meshes 2 meshes liner ends &
-  tangential_damping DAMPED
+  tangential_damping off
 fix move all nve/sphere
 compute turning all erotate/sphere
 compute touching all contact/atom
@@ -208,13 +204,12 @@ FIGURES = ("power_W", "kinetic_energy_J", "rotational_energy_J", "contacts_per_p
            "center_of_mass_x_m", "center_of_mass_y_m")
 
 
-def run_mill(folder, seed, damped):
+def run_mill(folder, seed):
     os.makedirs(folder, exist_ok=True)
     write_start(os.path.join(folder, "start"), seed)
     deck = MILL
     for word, value in (("GOLDEN", os.path.abspath(GOLDEN)), ("SETTLING", round(1 / STEP)),
-                        ("TURNING", round(TURNING / STEP)), ("PERIOD", 60 / RPM), ("STEP", STEP),
-                        ("DAMPED", damped)):
+                        ("TURNING", round(TURNING / STEP)), ("PERIOD", 60 / RPM), ("STEP", STEP)):
         deck = deck.replace(word, str(value))
     liggghts(deck, folder)
     rows = []
@@ -229,12 +224,11 @@ def run_mill(folder, seed, damped):
     return dict(zip(FIGURES, means))
 
 
-def mill(out, folder, damped="on", seeds=8):
-    runs = [run_mill(os.path.join(folder, f"{damped}{seed}"), seed, damped)
-            for seed in range(1, seeds + 1)]
+def mill(out, folder, seeds=8):
+    runs = [run_mill(os.path.join(folder, f"seed{seed}"), seed) for seed in range(1, seeds + 1)]
     golden = {"origin": "LIGGGHTS-PUBLIC 3.8.0 (Debian 12 package 3.8.0+repack1-9+b2), 1 rank, made by "
                         "bench/peers/hertz_references.py: pair gran model hertz tangential history "
-                        f"tangential_damping {damped}, {seeds} seeds; law, geometry and protocol as in "
+                        f"tangential_damping off, {seeds} seeds; law, geometry and protocol as in "
                         "apps/scenes/lab_mill_hertz.toml; means over the last 4 s of 6 s of turning",
               "rpm": RPM}
     for name in FIGURES:

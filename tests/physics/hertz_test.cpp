@@ -10,6 +10,7 @@
 #include <cmath>
 #include <vector>
 
+#include "kernels/laws/damping.h"
 #include "kernels/tally.h"
 #include "tests/support/small_scene.h"
 
@@ -22,7 +23,7 @@ template <class Real>
 class Hertz : public testing::Test {};
 TYPED_TEST_SUITE(Hertz, Precisions, Names);
 
-enum class Partner { kSphere, kWall, kBall };  // kBall: a polyhedron of 360 facets
+enum class Partner { kSphere, kWall, kCube };  // a cube is hit in the middle of a face
 
 // Impacts straight on, each by itself, `steps` per contact at each speed; one speed a world.
 struct Impact {
@@ -34,6 +35,8 @@ struct Impact {
 struct Outcome {
   double restitution = 0, depth = 0, time = 0;
 };
+
+const double kCubeSide = kDiameter * std::cbrt(kPi / 6);  // of the volume of the sphere
 
 double reduced_mass(Partner p) {
   return sphere_mass(kDiameter) * (p == Partner::kWall ? 1 : 0.5);
@@ -51,20 +54,21 @@ Scene scene_of(const Impact& i) {
   law.restitution = i.restitution;
   law.normal_force = i.normal_force;
   const double contact = contact_time_of(i), gap = 0.37 * contact / i.steps * i.approach;
+  const double other = i.partner == Partner::kCube ? kCubeSide / 2 : kRadius;
   Scene scene = small_scene(law, contact / i.steps, 1);
   const Vec3 along = Vec3::UnitX();
-  add_sphere(scene, kDiameter, (kDiameter + gap) * along, -i.approach * along);
+  add_sphere(scene, kDiameter, (kRadius + other + gap) * along, -i.approach * along);
   if (i.partner == Partner::kWall) add_plane(scene, kRadius * along, along);
   if (i.partner == Partner::kSphere) add_sphere(scene, kDiameter, Vec3::Zero());
-  if (i.partner == Partner::kBall) {
+  if (i.partner == Partner::kCube) {
     scene.folder = QUERN_SOURCE_DIR "/apps/shapes";
-    ParticleSpec ball = scene.particles[0];
-    ball.name = "ball";
-    ball.shape = ShapeKind::kPolyhedron;
-    ball.meshes = {"ball360.stl"};
-    ball.explicit_particles = {{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), kDiameter}};
-    ball.explicit_particles[0].orientation = Turn{Vec3::UnitX(), 0};
-    scene.particles.push_back(ball);
+    ParticleSpec cube = scene.particles[0];
+    cube.name = "cube";
+    cube.shape = ShapeKind::kPolyhedron;
+    cube.meshes = {"cube.stl"};
+    cube.explicit_particles = {{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), kDiameter}};
+    cube.explicit_particles[0].orientation = Turn{Vec3::UnitX(), 0};
+    scene.particles.push_back(cube);
   }
   return scene;
 }
@@ -82,7 +86,7 @@ Outcome outcome_of(const Impact& i) {
   EXPECT_EQ(world.totals.pair_contacts + world.totals.wall_contacts, 0);
   Vec3 other = Vec3::Zero();
   if (i.partner == Partner::kSphere) other = velocity_of(world, 1);
-  if (i.partner == Partner::kBall) other = world.polyhedra.velocity(0);
+  if (i.partner == Partner::kCube) other = world.polyhedra.velocity(0);
   out.restitution = (velocity_of(world, 0) - other).x() / i.approach;
   return out;
 }
@@ -109,7 +113,7 @@ TYPED_TEST(Hertz, ElasticImpactsHaveTheDepthAndTimeOfTheClosedForm) {
 }
 
 TYPED_TEST(Hertz, DeliversOneRestitutionAtAllSpeeds) {
-  for (const Partner partner : {Partner::kSphere, Partner::kWall, Partner::kBall}) {
+  for (const Partner partner : {Partner::kSphere, Partner::kWall, Partner::kCube}) {
     for (const NormalForce mode : {NormalForce::kClamped, NormalForce::kUnclamped}) {
       for (const double e : {0.3, 0.65, 0.9}) {
         for (const double speed : {0.01, 1.0, 10.0}) {
@@ -123,7 +127,7 @@ TYPED_TEST(Hertz, DeliversOneRestitutionAtAllSpeeds) {
   }
 }
 
-TYPED_TEST(Hertz, RestitutionGoesWrongWithTheSquareOfTheStep) {
+TYPED_TEST(Hertz, DeliversTheRestitutionWithinAHundredthAtTenStepsPerContact) {
   // Means over many speeds, that is, over phases of first touch.
   const auto off = [](double steps) {
     double sum = 0;
@@ -138,8 +142,10 @@ TYPED_TEST(Hertz, RestitutionGoesWrongWithTheSquareOfTheStep) {
   };
   const double coarse = off(10), fine = off(40);
   std::printf("  mean error of e = 0.6: %.2g at 10 steps per contact, %.2g at 40\n", coarse, fine);
-  EXPECT_LT(coarse, 0.02);
-  EXPECT_GT(coarse / fine, 6);
+  // At its end a contact lets go up to a step late: an error that falls with the step. Measured
+  // 3.4e-3 and 7.2e-4; linear springs at 10 steps scatter by 7e-3 (restitution_test.cpp).
+  EXPECT_LT(coarse, 0.01);
+  EXPECT_GT(coarse / fine, 3);
 }
 
 // A sphere on a plate, pressed by its weight, swings with small amplitude; the period in s.
@@ -155,15 +161,16 @@ double swing(const Vec3& kick, double weight) {
   Scene scene = small_scene(law, 2 * kPi * std::sqrt(mass / normal) / 200, 1);
   scene.run.gravity = {0, 0, -weight / mass};
   add_plane(scene, Vec3::Zero(), Vec3::UnitZ());
-  add_sphere(scene, kDiameter, {0, 0, kRadius - rest}, 1e-3 * rest / scene.run.time_step.value() * kick);
+  add_sphere(scene, kDiameter, {0, 0, kRadius - rest}, 1e-3 * rest / *scene.run.time_step * kick);
   World<Real> world = world_of<Real>(scene);
   Stepper<Real> stepper(world, 1);
-  // Upward crossings of the velocity along the kick.
+  // Upward crossings of the velocity at the plate, along the kick.
   std::vector<double> times;
   double before = 0;
   for (int k = 0; k < 4000; ++k) {
     stepper.step();
-    const double now = velocity_of(world, 0).dot(kick);
+    const Vec3 arm(0, 0, -kRadius);
+    const double now = (velocity_of(world, 0) + spin_of(world, 0).cross(arm)).dot(kick);
     if (before < 0 && now >= 0) times.push_back(world.time() - world.clock.dt * now / (now - before));
     before = now;
   }
@@ -176,35 +183,42 @@ TYPED_TEST(Hertz, ALoadedContactSwingsWithTheStiffnessesOfItsOverlap) {
   const double mass = sphere_mass(kDiameter), modulus = hertz_modulus(law.young, law.poisson);
   const double shear = law.young / (2 * (1 + law.poisson)) / (2 * (2 - law.poisson));  // G*
   for (const double weight : {1.0, 30.0}) {
-    const double a = std::sqrt(kRadius * std::pow(weight / (modulus * std::sqrt(kRadius)), 2.0 / 3));
+    const double rest = std::pow(weight / (modulus * std::sqrt(kRadius)), 2.0 / 3);
+    const double a = std::sqrt(kRadius * rest), arm = 1 - 0.5 * rest / kRadius;  // of the radius
     const double normal = 2 * kPi * std::sqrt(mass / (1.5 * modulus * a));
-    const double along = 2 * kPi * std::sqrt(mass * 2 / 7 / (8 * shear * a));
-    // Leapfrog at 200 steps a period: (w dt)^2 / 24 = 4e-5; the arm is shorter by half the overlap,
-    // at most 1e-3 of the radius here; amplitudes of 3 % of the overlap: quadratic in them.
-    EXPECT_NEAR(swing<TypeParam>(Vec3::UnitZ(), weight) / normal, 1, 1e-3);
-    EXPECT_NEAR(swing<TypeParam>(Vec3::UnitX(), weight) / along, 1, 2e-3);
+    const double along = 2 * kPi * std::sqrt(mass / (1 + 2.5 * arm * arm) / (8 * shear * a));
+    // Leapfrog at 200 steps a period: (w dt)^2 / 24 = 4e-5. Amplitudes are x = 3 % of the overlap,
+    // and a spring that goes as d^(3/2) is slower by 5/192 x^2 = 3e-5 of itself.
+    EXPECT_NEAR(swing<TypeParam>(Vec3::UnitZ(), weight) / normal, 1, 2e-4);
+    EXPECT_NEAR(swing<TypeParam>(Vec3::UnitX(), weight) / along, 1, 2e-4);
   }
 }
 
-// A cube at rest on its face: weight = 4/3 E* sqrt(R) d^(3/2) with the radius of equal volume.
+// A cube at rest on its face: weight = 4/3 E* sqrt(R) d^(3/2) with the radius of equal volume. The
+// implicit damping leaves 1 / (1 + dt c_n / 2m) of the spring, as it does with the linear law.
 TYPED_TEST(Hertz, ACubeRestsAtTheOverlapOfASphereOfItsVolume) {
   Law law = hertz_law();
   const double mass = sphere_mass(kDiameter), modulus = hertz_modulus(law.young, law.poisson);
-  const double rest = std::pow(mass * 9.81 / (modulus * std::sqrt(kRadius)), 2.0 / 3);
-  const double side = kDiameter * std::cbrt(kPi / 6);
-  Scene scene = small_scene(law, 2e-6, 1);
+  const double dt = 2e-6, zeta = damping_ratio(law.restitution, law.normal_force);
+  double rest = 0, reduction = 1;
+  for (int k = 0; k < 10; ++k) {
+    rest = std::pow(mass * 9.81 / (reduction * modulus * std::sqrt(kRadius)), 2.0 / 3);
+    const double stiffness = modulus * std::sqrt(kRadius * rest);
+    reduction = 1 / (1 + dt * zeta * std::sqrt(1.25 * stiffness / mass));
+  }
+  Scene scene = small_scene(law, dt, 1);
   scene.run.gravity = {0, 0, -9.81};
   scene.folder = QUERN_SOURCE_DIR "/apps/shapes";
   scene.particles[0].shape = ShapeKind::kPolyhedron;
   scene.particles[0].meshes = {"cube.stl"};
   add_plane(scene, Vec3::Zero(), Vec3::UnitZ());
-  add_sphere(scene, kDiameter, {0, 0, side / 2});
+  add_sphere(scene, kDiameter, {0, 0, kCubeSide / 2});
   scene.particles[0].explicit_particles[0].orientation = Turn{Vec3::UnitX(), 0};
   World<TypeParam> world = world_of<TypeParam>(scene);
   Stepper<TypeParam> stepper(world, 1);
   run_steps(world, stepper, 20000);
   EXPECT_LT(world.polyhedra.velocity(0).norm(), 1e-8);
-  EXPECT_NEAR((side / 2 - world.polyhedra.place(0).z()) / rest, 1, 1e-6);
+  EXPECT_NEAR((kCubeSide / 2 - world.polyhedra.place(0).z()) / rest, 1, 1e-6);
 }
 
 TYPED_TEST(Hertz, TheAccountOfALabMillCloses) {

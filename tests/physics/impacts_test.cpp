@@ -1,11 +1,13 @@
 // Oblique impacts and sliding to rolling against runs of independent solvers (LAMMPS, LIGGGHTS, see
-// tests/golden/README.md), with the same law: unclamped normal force.
+// tests/golden/README.md), with the same law: unclamped
+// normal force, no tangential damping.
 //
 // All angles of a case run side by side in one world, far from each other. Limits: rebound
 // velocities and rim speeds (spin times radius) within 0.5 % of the speed of impact, at 370 and
 // more steps per contact. Of these, half a step of the dashpot at entry and exit is at most 2 zeta
 // w dt e = 0.16 %, and arms (the other solver takes the radius, this engine the distance to the
-// contact point) differ by half the overlap, below 0.25 % of the radius.
+// contact point) differ by half the overlap, below 0.25 % of the radius. Hertz-Mindlin: 0.1 %, at
+// 500 and more steps of contacts that begin and end softly.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -58,14 +60,13 @@ std::vector<std::vector<Row>> cases_of(const std::vector<Row>& rows) {
 
 bool is_hertz(const Row& c) { return c.count("young") > 0; }
 
-// Spheres of the first species hit what is of the second material.
+// Spheres hit what is of the second material.
 Scene scene_of_case(const Row& c) {
   Law law = peer_law(c.at("restitution"), c.at("mu"));
   if (is_hertz(c)) {
     law.springs = ForceLaw::kHertzMindlin;
     law.young = c.at("young");
     law.poisson = c.at("poisson");
-    law.tangential_damping = c.at("tangential_damping") != 0;
   } else {
     law.kn = c.at("kn");
     law.kt = c.at("kt");
@@ -78,8 +79,6 @@ Scene scene_of_case(const Row& c) {
     scene.materials[1].young_modulus = c.at("young2");
     scene.materials[1].poisson_ratio = c.at("poisson2");
   }
-  scene.particles.push_back(scene.particles[0]);
-  scene.particles[1].name = scene.particles[1].material = "other";
   return scene;
 }
 
@@ -97,7 +96,8 @@ int steps_of_case(const Row& c, double reduced_mass, double reduced_radius) {
   return static_cast<int>((gap / slowest + 1.5 * contact) / c.at("dt")) + 10;
 }
 
-constexpr double kLimit = 5e-3;  // of v0
+// Of v0. LIGGGHTS takes the arms that this engine takes.
+double limit_of(const Row& c) { return is_hertz(c) ? 1e-3 : 5e-3; }
 
 // Of the two solvers' results, over the speed of impact.
 struct Differences {
@@ -105,7 +105,7 @@ struct Differences {
   void add(const Row& r, const Vec3& off) {
     const double share = off.norm() / r.at("v0");
     worst = std::max(worst, share);
-    EXPECT_LT(share, kLimit) << "e " << r.at("restitution") << ", " << r.at("angle_deg")
+    EXPECT_LT(share, limit_of(r)) << "e " << r.at("restitution") << ", " << r.at("angle_deg")
                              << " degrees";
   }
   ~Differences() { std::printf("  largest difference %.2g %% of the speed of impact\n", 100 * worst); }
@@ -144,6 +144,8 @@ void compare_pairs(const std::string& file) {
     const Row& c = rows.front();
     const double r1 = 0.5 * c.at("diameter"), r2 = 0.5 * c.at("diameter2"), v0 = c.at("v0");
     Scene scene = scene_of_case(c);
+    scene.particles.push_back(scene.particles[0]);
+    scene.particles[1].name = scene.particles[1].material = "other";
     for (std::size_t k = 0; k < rows.size(); ++k) {
       const double angle = rows[k].at("angle_deg") * kPi / 180;
       const Vec3 course(std::cos(angle), std::sin(angle), 0);

@@ -119,6 +119,7 @@ struct Terms {
   double kn, kt, cn, ct;  // as they act
   double reduction;       // kn over what it is without damping
   double kt_old = 0;      // a step ago, likewise
+  bool damped = false;    // along the surface
   Vec3 slip, slip_old;    // velocity of the contact point, tangential and (old) whole
   Vec3 at_point;
   double vn, speed;              // speed: bound of all velocities at the contact
@@ -219,7 +220,7 @@ inline void ledger(const Coefficients& k, const Contact& c, const History& old, 
     }
   }
   // Without a dashpot the spring carries all of the force; random histories need not say so.
-  r.tangential_damping = t.ct > 0 ? -0.5 * o.dt * dashpot.dot(t.slip) : 0;
+  r.tangential_damping = t.damped ? -0.5 * o.dt * dashpot.dot(t.slip) : 0;
 }
 
 // An upper bound of what one unit in the last place of each intermediate result can do.
@@ -286,6 +287,7 @@ inline Response respond(const Coefficients& table, const Contact& c, const Histo
   const Coefficients k = c.touching ? at_overlap(table, c.overlap, reduced) : k_old;
   Terms t = terms(k, c, o.dt);
   t.kt_old = terms(k_old, c, o.dt).kt;
+  t.damped = table.tangential_damping > 0;
   r.reduction = t.reduction;
   const double fn = normal_force(c, o, t, r);
   Vec3 spring_old, spring_trial;

@@ -221,7 +221,7 @@ revolutions = 1)",
     {"UnknownLaw",
      R"(law = "linear-spring-dashpot")",
      R"(law = "hertz")",
-     {R"~(13:7: error: 'law': "hertz" is not known (linear-spring-dashpot))~"}},
+     {R"~(13:7: error: 'law': "hertz" is not known (linear-spring-dashpot, hertz-mindlin))~"}},
     {"UnknownEnds",
      R"(rotation = "30 rpm")",
      R"(rotation = "30 rpm"
