@@ -97,13 +97,13 @@ struct State {
 struct Seed {
   Vec3 place, velocity, spin;
 };
-// A heap that falls together on the plate; spheres, then rocks.
-const Seed kSpheres[] = {{{0.1, 0.0, 1.62}, {0.1, 0.05, -1}, {0.2, 0.4, -0.5}},
-                         {{1.0, 0.3, 0.51}, {-0.6, 0, -0.3}, {0.5, -0.2, 0.1}},
-                         {{0.2, 0.9, 1.55}, {0, -0.3, -0.9}, {0, 0.3, 0.7}}};
-const Seed kRocks[] = {{{0.0, 0.0, 0.60}, {0.3, 0.1, -0.5}, {0.3, -0.2, 0.4}},
-                       {{0.15, 1.02, 0.62}, {0.05, -0.7, -0.4}, {-0.2, 0.1, 0.3}},
-                       {{0.9, 0.75, 1.5}, {-0.4, -0.2, -1.1}, {0.1, 0.6, -0.3}}};
+// Apart from each other at first, they fall together on the plate; spheres, then rocks.
+const Seed kSpheres[] = {{{0.1, 0.0, 1.95}, {0.05, 0.1, -1}, {0.2, 0.4, -0.5}},
+                         {{1.35, -0.1, 0.55}, {-0.6, 0, -0.3}, {0.5, -0.2, 0.1}},
+                         {{-0.1, 1.15, 2.05}, {0.1, -0.5, -0.9}, {0, 0.3, 0.7}}};
+const Seed kRocks[] = {{{0.0, 0.0, 0.75}, {0.3, 0.1, -0.5}, {0.3, -0.2, 0.4}},
+                       {{0.2, 1.45, 0.8}, {0.05, -0.7, -0.4}, {-0.2, 0.1, 0.3}},
+                       {{1.3, 0.9, 1.75}, {-0.6, -0.4, -1.1}, {0.1, 0.6, -0.3}}};
 
 void write_mesh(const std::string& path, const std::vector<Triangle>& mesh) {
   std::ofstream out(path);
@@ -134,8 +134,9 @@ class Heap {
     World<Real> world = world_of<Real>(scene(), {plate()});
     Stepper<Real> stepper(world, 1);
     double contacts[5] = {};
-    for (int k = 0; k < 2000; ++k) {
-      EXPECT_EQ(stepper.step().bits & kFatalBits, 0u);
+    for (int k = 0; k < 1800; ++k) {
+      const StepReport report = stepper.step();
+      EXPECT_EQ(report.bits, 0u);  // no overlap above half a radius either
       const StepTotals& t = world.totals;
       contacts[0] += t.pair_contacts - t.polyhedron_sphere_contacts - t.polyhedron_pair_contacts;
       contacts[1] += t.polyhedron_sphere_contacts;
@@ -172,6 +173,7 @@ class Heap {
     scene.domain.high = change_.shift + Vec3::Constant(60);
     scene.contact.overlap = law_.overlap;
     scene.contact.normal_model = law_.model;
+    if (law_.model == NormalModel::kVolume) scene.contact.volume_stiffness = 1e3;
     scene.materials[0].density = 1;
     scene.folder = folder_.path();
     scene.run.gravity = change_.turn * Vec3(0, 0, -1);
@@ -235,14 +237,15 @@ double difference(const std::vector<State>& a, const std::vector<State>& b) {
 
 class SymmetryOf : public testing::TestWithParam<LawCase> {
  protected:
-  // Places are rounded to 1e-16 of lengths of 1, meshes and turns likewise; overlaps are 1e-3 ...
-  // 1e-2 and a dozen collisions multiply what comes of it. Contacts of spheres are f32 in mixed.
+  // Places are rounded to 1e-16 of lengths of 1, meshes and turns likewise; that over overlaps of
+  // 1e-3 ... 1e-2 is 1e-13, which a dozen collisions multiply by up to 1e5. Contacts of spheres are
+  // f32 in mixed: the same with 6e-8, but for fewer collisions.
   template <class Real>
   static void expect_same(const Change& change) {
     const double worst =
         difference(Heap(GetParam(), change).run<Real>(), Heap(GetParam(), {}).run<Real>());
     std::printf("  %s: %.2g\n", sizeof(Real) == 4 ? "mixed" : "double", worst);
-    EXPECT_LT(worst, sizeof(Real) == 4 ? 1e-5 : 1e-10);
+    EXPECT_LT(worst, sizeof(Real) == 4 ? 5e-4 : 1e-8);
   }
   static void expect_same_in_both(const Change& change) {
     expect_same<float>(change);
