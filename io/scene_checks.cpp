@@ -134,8 +134,11 @@ void check_run(const SceneCheck& check) {
   if (run.start != StartKind::kFile && !run.start_file.empty() && check.good({"run.start"}))
     check.error("run.start_file", "'start_file' needs start = \"file\"");
   if (check.draft.start_file == StartFile::kNeeded) check.file("run.start_file", run.start_file);
-  if (run.relax && run.start != StartKind::kFile && check.good({"run.start", "run.relax"}))
-    check.error("run.relax", "'relax' needs start = \"file\"");
+  if (run.relax && run.start == StartKind::kFill && check.scene.fill.method == FillMethod::kRain &&
+      check.good({"run.start", "run.relax", "fill.method"}))
+    check.error("run.relax", "'relax' is for particles that are there from the start: not with rain");
+  if (run.overlap_cap && !run.relax && check.good({"run.relax"}))
+    check.error("run.overlap_cap", "'overlap_cap' needs 'relax'");
 }
 
 void check_pairs(const SceneCheck& check) {

@@ -108,10 +108,14 @@ void fields(Io& io, RunSpec& run) {
      run.calm_time);
   io({"start", "place the particles, or take them from start_file"}, run.start);
   io({"start_file", "checkpoint to start from"}, run.start_file);
-  io({"relax", "overlaps of start_file are let go this long; default: 0.2 s if spheres become "
-      "polyhedra",
+  io({"relax", "overlaps of the start are let go this long, under a drag, before all else; default: "
+      "0.2 s if spheres become polyhedra, else 0 s",
       kTime, Range::kNotNegative},
      run.relax);
+  io({"overlap_cap", "while relaxing all contacts push as if no deeper than this at the end, a "
+      "hundredth of it at the start; default: off, contacts of polyhedra alone are capped",
+      kLength, Range::kPositive},
+     run.overlap_cap);
   io({"precision", "of forces and springs; places, velocities and spins are always double"},
      run.precision);
   io({"tile_size", "particles per tile; default: a 32nd of all, 512 to 2048", kNumber,

@@ -175,6 +175,10 @@ void push_spheres(const StepConstants<double>& step, const ParticleView<Real>& p
     const auto k = load_coefficients<double>(step.law, row);
     set_elastic<Springs>(k, c.overlap_cap, t);
     const ResponseV<V> r = respond<double, DampedLaw<Springs>>(step, k, t, old, touching);
+    if (HWY_UNLIKELY(!hn::AllTrue(d, hn::IsFinite(hn::Add(r.work, r.elastic))))) {
+      *c.odd = at + static_cast<std::size_t>(
+                        hn::FindFirstTrue(d, hn::Not(hn::IsFinite(hn::Add(r.work, r.elastic)))));
+    }
     const Vec3V<V> normal = keep_if(touching, t.normal), point = keep_if(touching, g.point);
     const V now[kNearHistory] = {
         r.spring.x, r.spring.y, r.spring.z, r.force.x, r.force.y,
@@ -195,7 +199,8 @@ void push_spheres(const StepConstants<double>& step, const ParticleView<Real>& p
       store_rows(told, [&](std::size_t lane) { return &c.told[at + lane].work; });
     }
     const V smaller = hn::Min(to_f64(a.radius), hn::LoadU(d, c.radius + at));
-    count_response<double, DampedLaw<Springs>>(r, touching, hn::Div(t.overlap, smaller), sum);
+    count_response<double, DampedLaw<Springs>>(r, touching, hn::Div(t.overlap, smaller), smaller,
+                                               c.overlap_cap, sum);
     const V one = hn::IfThenElseZero(touching, hn::Set(d, 1));
     const Vec3V<V> torque_i = scale(g.arm, cross(r.tangential, t.normal));
     add_to_particles<double, 0>(r.force, torque_i, one, c.sphere + at, tile);

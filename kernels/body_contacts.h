@@ -55,6 +55,7 @@ struct NearContacts {
   std::size_t count;    // padded
   double overlap_cap;   // m; 0: none
   NearTold* told;       // out; null: not asked for
+  std::size_t* odd;     // out: a lane whose energies are not finite, if there is one
 };
 
 // Rows of `count` numbers, one lane a contact, padded to kShapePad.

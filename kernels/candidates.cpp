@@ -4,16 +4,16 @@
 // predicted gap.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/candidates.cpp"
-#include <hwy/foreach_target.h>
+#include "kernels/candidates.h"
+
 #include <hwy/cache_control.h>
+#include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <span>
-
-#include "kernels/candidates.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace quern {
@@ -122,22 +122,59 @@ HWY_EXPORT(choose_near);
 
 namespace {
 
-// Whether the pair's gap falls below the slack within the window on straight lines, nearest image;
-// sets gap and speed if it does.
-bool meets(const SearchInput& in, const SearchPoint& i, const SearchPoint& j, CandidatePair& pair) {
+using Numbers3 = std::array<double, 3>;
+
+// Square of the least distance on a straight line within the window.
+double least_distance2(const Numbers3& x, const Numbers3& v, double window) {
   double xv = 0, vv = 0, xx = 0;
   for (std::size_t a = 0; a < 3; ++a) {
-    double dx = i.x[a] - j.x[a];
-    const double period = in.box.period[a];
-    if (period > 0) dx = nearest_image(dx, period);
-    const double dv = static_cast<double>(i.v[a]) - static_cast<double>(j.v[a]);
-    xv += dx * dv;
-    vv += dv * dv;
-    xx += dx * dx;
+    xv += x[a] * v[a];
+    vv += v[a] * v[a];
+    xx += x[a] * x[a];
   }
   double time = 0;
-  if (xv < 0) time = vv * in.window > -xv ? -xv / vv : in.window;
-  const double d2 = xx + time * (2 * xv + time * vv);
+  if (xv < 0) time = vv * window > -xv ? -xv / vv : window;
+  return xx + time * (2 * xv + time * vv);
+}
+
+// The least of all images that are the nearest one at some time in the window: `x` is the nearest
+// at its start, `turns` tells along each axis how many periods from it that of the end is.
+double least_of_images(const SearchBox& box, const Numbers3& x, const Numbers3& v, double window,
+                       const Numbers3& turns) {
+  double least = HUGE_VAL;
+  Numbers3 image;
+  const auto along = [&](auto&& self, std::size_t a) -> void {
+    if (a == 3) {
+      least = std::min(least, least_distance2(image, v, window));
+      return;
+    }
+    for (double k = std::min(0.0, turns[a]); k <= std::max(0.0, turns[a]); ++k) {
+      image[a] = x[a] - k * box.period[a];
+      self(self, a + 1);
+    }
+  };
+  along(along, 0);
+  return least;
+}
+
+// Whether the pair's gap falls below the slack within the window on straight lines, by its nearest
+// image of every moment; sets gap and speed if it does.
+bool meets(const SearchInput& in, const SearchPoint& i, const SearchPoint& j, CandidatePair& pair) {
+  Numbers3 x, v, turns{};
+  double vv = 0;
+  bool changes = false;
+  for (std::size_t a = 0; a < 3; ++a) {
+    x[a] = i.x[a] - j.x[a];
+    v[a] = static_cast<double>(i.v[a]) - static_cast<double>(j.v[a]);
+    vv += v[a] * v[a];
+    const double period = in.box.period[a];
+    if (period <= 0) continue;
+    x[a] = nearest_image(x[a], period);
+    turns[a] = std::nearbyint((x[a] + in.window * v[a]) / period);
+    changes = changes || turns[a] != 0;
+  }
+  const double d2 =
+      changes ? least_of_images(in.box, x, v, in.window, turns) : least_distance2(x, v, in.window);
   const double touch = i.radius + j.radius, reach = touch + in.slack;
   if (d2 >= reach * reach) return false;
   // Rounding takes d2 below zero where two meet head on.

@@ -46,6 +46,7 @@ struct StepConstants {
   double period[3];          // m; 0: not periodic
   double inverse_period[3];  // 1/m; 0: not periodic
   double nearest2 = 0;       // m^2, least half period: of two that are nearer none is an image
+  double overlap_cap = 0;    // m, spheres push as if no deeper; 0: none
   Recording recording = Recording::kOff;
   Index groups = 0;            // of particles
   bool wears = false;          // contacts with walls write what they wear off
@@ -125,7 +126,7 @@ struct ContactTally {
   double numerical_loss = 0;      // J, part of the dissipation that is error of the time step
   double model_work = 0;          // J, put into tangential springs by stiffnesses that changed
   double contacts = 0;            // touching pairs
-  double warnings = 0;            // contacts deeper than half the smaller radius
+  double warnings = 0;            // contacts deeper than half the smaller radius, or than the cap
   double max_overlap = 0;         // over the smaller radius
   void add(const ContactTally& o) {
     work += o.work;
@@ -193,6 +194,7 @@ struct MoveTally {
   double max_deviation2 = 0;             // m^2, from the straight lines of the lists
   double strays = 0;                     // particles that left their lines by more than they may
   double bad = 0;                        // particles not finite or outside
+  double fast = 0;                       // particles that move by more than their radius
 };
 
 template <class Real>

@@ -79,8 +79,10 @@ HWY_INLINE void prefetch_block(const MoveView<Real>& m, std::size_t at) {
   hwy::Prefetch(m.list_allowance + at);
 }
 
+inline constexpr double kNeverSoFar = 1e30;  // m^2
+
 struct MoveSumV {
-  hn::Vec<D64> translational, rotational, momentum[3], moment[3], drag, deviation, strays, bad;
+  hn::Vec<D64> translational, rotational, momentum[3], moment[3], drag, deviation, strays, bad, fast;
 };
 
 template <class Real>
@@ -94,7 +96,7 @@ void move_spheres(const MoveView<Real>& m, const TileRows& tile, double dt, Move
   const Vec3V<V> gravity = {hn::Set(d, m.gravity[0]), hn::Set(d, m.gravity[1]),
                             hn::Set(d, m.gravity[2])};
   const ParticleView<Real> view = {m.now, m.traits_now};
-  MoveSumV sum = {zero, zero, {zero, zero, zero}, {zero, zero, zero}, zero, zero, zero, zero};
+  MoveSumV sum = {zero, zero, {zero, zero, zero}, {zero, zero, zero}, zero, zero, zero, zero, zero};
   HWY_ALIGN Index lane[16];
   for (std::size_t k = 0; k < tile.size; k += lanes) {
     const std::size_t at = tile.first + k;
@@ -164,14 +166,21 @@ void move_spheres(const MoveView<Real>& m, const TileRows& tile, double dt, Move
     const Vec3V<V> off = place - Vec3V<V>{line(0), line(1), line(2)};
     const V off2 = count_if(dot(off, off));
     const V allowed = hn::PromoteTo(d, hn::LoadU(hn::Rebind<float, D64>(), m.list_allowance + at));
+    const V allowed2 = hn::Mul(allowed, allowed);
     sum.deviation = hn::Max(sum.deviation, off2);
-    sum.strays = hn::Add(sum.strays, hn::IfThenElseZero(hn::Gt(off2, hn::Mul(allowed, allowed)),
-                                                        hn::Set(d, 1)));
+    sum.strays =
+        hn::Add(sum.strays, hn::IfThenElseZero(hn::Gt(off2, allowed2), hn::Set(d, 1)));
     const auto inside = [&](V v, int axis) HWY_ATTR {
       return hn::And(hn::Ge(v, hn::Set(d, m.low[axis])), hn::Le(v, hn::Set(d, m.high[axis])));
     };
-    const auto good = hn::And(inside(place.x, 0), hn::And(inside(place.y, 1), inside(place.z, 2)));
+    // A line or an allowance that is not finite would never let the lists go stale.
+    const auto listed = hn::Lt(hn::Add(off2, allowed2), hn::Set(d, kNeverSoFar));
+    const auto good = hn::And(listed, hn::And(inside(place.x, 0),
+                                              hn::And(inside(place.y, 1), inside(place.z, 2))));
     sum.bad = hn::Add(sum.bad, count_if(hn::IfThenZeroElse(good, hn::Set(d, 1))));
+    const V way = hn::Mul(dtv, dtv);
+    const auto fast = hn::Gt(hn::Mul(way, dot(velocity, velocity)), r2);
+    sum.fast = hn::Add(sum.fast, count_if(hn::IfThenElseZero(fast, hn::Set(d, 1))));
   }
   hwy::FlushStream();
   tally.translational += sum_lanes(sum.translational);
@@ -182,6 +191,7 @@ void move_spheres(const MoveView<Real>& m, const TileRows& tile, double dt, Move
   }
   tally.drag_loss += sum_lanes(sum.drag);
   tally.bad += sum_lanes(sum.bad);
+  tally.fast += sum_lanes(sum.fast);
   tally.strays += sum_lanes(sum.strays);
   HWY_ALIGN double deviation[hn::MaxLanes(D64())];
   hn::Store(sum.deviation, d, deviation);

@@ -7,6 +7,7 @@ namespace quern {
 template <class Real>
 void NearLanes<Real>::clear(const PolyhedronSphereBatch<Real>& batch, Index first, Index last) {
   count_ = 0;
+  odd_ = kNone;
   const std::size_t room = batch.begin[last] - batch.begin[first] + kShapePad;
   if (touch_.size() < room) {
     touch_.resize(room);
@@ -78,7 +79,19 @@ NearContacts<Real> NearLanes<Real>::view(Index idle, double overlap_cap, Recordi
           motion_.data(), material_.data(),
           radius_.data(), history_.data(),
           sums_.data(),   padded,
-          overlap_cap,    tells ? told_.data() : nullptr};
+          overlap_cap,    tells ? told_.data() : nullptr,
+          &odd_};
+}
+
+template <class Real>
+std::optional<std::pair<Index, Index>> NearLanes<Real>::odd(
+    const PolyhedronSphereBatch<Real>& batch) const {
+  if (odd_ >= count_) return std::nullopt;
+  const auto slot =
+      static_cast<Index>((history_[odd_] - batch.numbers.data()) / batch.kHistoryStride);
+  const auto group = std::upper_bound(batch.begin.begin(), batch.begin.end(), slot) - 1;
+  return std::pair(sphere_[odd_],
+                   batch.polyhedron[static_cast<std::size_t>(group - batch.begin.begin())]);
 }
 
 template <class Real>

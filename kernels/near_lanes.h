@@ -6,6 +6,8 @@
 // Nothing is read of a sphere that neither touches nor did.
 #pragma once
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "kernels/body_contacts.h"
@@ -25,6 +27,9 @@ class NearLanes {
   void add(const PolyhedronSphereKernel& narrow, PolyhedronSphereBatch<Real>& batch, Index group,
            const BodyState& body, const ShapePose& pose, const GroupLanes& spheres);
   bool empty() const { return count_ == 0; }
+  // After the law: a contact whose energies are not finite, as rows of the sphere and of the
+  // polyhedron.
+  std::optional<std::pair<Index, Index>> odd(const PolyhedronSphereBatch<Real>& batch) const;
   // Padded with lanes of the particle `idle`.
   NearContacts<Real> view(Index idle, double overlap_cap, Recording recording);
   // After the law, while collisions are recorded: what the lanes tell, and the episodes in their
@@ -32,9 +37,11 @@ class NearLanes {
   void record(const ParticleView<Real>& spheres, Recording recording, CollisionTally& tally);
 
  private:
+  static constexpr std::size_t kNone = ~std::size_t{0};
   void set(std::size_t lane, Index sphere, const BodyState& body, Real* history, double* sums);
 
   std::size_t count_ = 0;
+  std::size_t odd_ = kNone;
   std::vector<NearTouch> touch_;
   std::vector<Index> slot_, sphere_;
   std::vector<const double*> motion_;

@@ -242,8 +242,8 @@ HWY_INLINE TallyV<hn::Vec<Lanes<Real>>> zero_tally() {
 }
 HWY_INLINE TallySumV zero_tally_sum() { return zero_tally<double>(); }
 template <class Real, class Law, class V, class M>
-HWY_INLINE void count_response(const ResponseV<V>& r, M touching, V relative_overlap,
-                               TallyV<V>& sum) {
+HWY_INLINE void count_response(const ResponseV<V>& r, M touching, V relative_overlap, V radius,
+                               double overlap_cap, TallyV<V>& sum) {
   const Lanes<Real> d;
   sum.work = hn::Add(sum.work, r.work);
   sum.elastic = hn::Add(sum.elastic, r.elastic);
@@ -253,7 +253,11 @@ HWY_INLINE void count_response(const ResponseV<V>& r, M touching, V relative_ove
   if constexpr (Law::kChanging) sum.model_work = hn::Add(sum.model_work, r.model_work);
   const V deep = hn::IfThenElseZero(touching, relative_overlap);
   sum.contacts += hn::CountTrue(d, touching);
-  sum.warnings += hn::CountTrue(d, hn::Gt(deep, hn::Set(d, Real(0.5))));
+  V limit = hn::Set(d, Real(0.5));
+  if (HWY_UNLIKELY(overlap_cap > 0)) {
+    limit = hn::Div(hn::Set(d, static_cast<Real>(overlap_cap)), radius);
+  }
+  sum.warnings += hn::CountTrue(d, hn::Gt(deep, limit));
   sum.deepest = hn::Max(sum.deepest, deep);
 }
 template <class Real>

@@ -425,12 +425,13 @@ void PolyhedronContacts<Real>::finish(World<Real>& world, const StepConstants<do
     const double reduction = get(B::kReduction, k), half_dt = 0.5 * step.dt;
     const double stored = lane.pair ? lane.pair->stored : lane.wall.stored;
     const double pushed = lane.pair ? lane.pair->elastic_force : lane.wall.elastic_force;
-    tally.model_work +=
+    const double model_work =
         reduction *
         (half_dt * (lane.elastic_force_old * get3(B::kNormalOld, k).dot(get3(B::kAtOld, k)) +
                     pushed * get3(B::kNormal, k).dot(get3(B::kAtPoint, k)) +
                     (lane.couple_old + lane.couple).dot(spin)) +
          stored - lane.stored_old);
+    tally.model_work += model_work;
     ContactTally t;
     t.work = get(B::kWork, k) + half_dt * (lane.moment_old + moment).dot(spin);
     t.elastic = get(B::kElastic, k);
@@ -440,7 +441,14 @@ void PolyhedronContacts<Real>::finish(World<Real>& world, const StepConstants<do
     t.model_work = get(B::kModelWork, k);
     t.contacts = lane.touching ? 1 : 0;
     t.max_overlap = lane.wall.overlap / lane.smaller;
-    t.warnings = t.max_overlap > 0.5 ? 1 : 0;
+    const double cap = world.overlap_cap;
+    t.warnings = lane.wall.overlap > (cap > 0 ? cap : 0.5 * lane.smaller) ? 1 : 0;
+    if (!std::isfinite(t.work + t.elastic + model_work) && tally.odd.id == kNoIndex) {
+      const Index first = world.polyhedra.first_id;
+      tally.odd.id = first + (lane.pair ? lane.pair->i : lane.wall.particle);
+      tally.odd.partner = lane.pair ? first + lane.pair->j : lane.wall.wall;
+      tally.odd.partner_is_wall = !lane.pair;
+    }
     tally.contacts[lane.pair ? 0 : 1].add(t);
     if (collisions != nullptr) record(world, k, t, *collisions);
     if (lane.pair) {

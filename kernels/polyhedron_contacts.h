@@ -27,6 +27,7 @@ struct PolyhedronTally {
   ContactTally contacts[2];  // pairs, walls
   double model_work = 0;     // J, of normal forces, beyond what their potential accounts for
   Fallbacks fallbacks;
+  Offender odd;  // the first contact whose energies are not finite
   void add(const PolyhedronTally& o) {
     contacts[0].add(o.contacts[0]);
     contacts[1].add(o.contacts[1]);

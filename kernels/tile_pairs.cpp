@@ -1,6 +1,6 @@
 #include "kernels/tile_pairs.h"
 
-#include <utility>
+#include <cmath>
 
 namespace quern {
 
@@ -61,7 +61,8 @@ void push_tile_pairs(const Kernels<Real>& kernels, const StepConstants<Real>& st
   for (Column<Index>* c : {&scratch.i, &scratch.j, &scratch.state}) {
     c->reset((rows_here + 1) * kPairPad);
   }
-  FoundPairs found = {scratch.i.data(), scratch.j.data(), scratch.state.data()};
+  FoundPairs& found = scratch.found;
+  found = {scratch.i.data(), scratch.j.data(), scratch.state.data()};
   kernels.find_pairs(step, particles, view, found);
   ContactHistory<Real>& old = pairs.contacts[tile];
   if (collisions == nullptr) {
@@ -79,6 +80,29 @@ void push_tile_pairs(const Kernels<Real>& kernels, const StepConstants<Real>& st
   std::swap(old, scratch.spare);
 }
 
+template <class Real>
+std::optional<std::pair<Index, Index>> find_odd_history(const PairScratch<Real>& scratch,
+                                                        std::size_t law_history) {
+  const FoundPairs& found = scratch.found;
+  const ContactHistory<Real>& old = scratch.spare;
+  std::size_t contact = 0;
+  for (const auto& [first, count] :
+       {std::pair(std::size_t{0}, found.own), std::pair(found.imported_begin(), found.imported)}) {
+    for (std::size_t k = first; k < first + count; ++k) {
+      if ((found.state[k] & kDidTouch) == 0) continue;
+      for (std::size_t n = 0; n < law_history; ++n) {
+        if (!std::isfinite(old.number(contact, n))) return std::pair(found.i[k], found.j[k]);
+      }
+      ++contact;
+    }
+  }
+  return std::nullopt;
+}
+
+template std::optional<std::pair<Index, Index>> find_odd_history(const PairScratch<float>&,
+                                                                 std::size_t);
+template std::optional<std::pair<Index, Index>> find_odd_history(const PairScratch<double>&,
+                                                                 std::size_t);
 template void push_tile_pairs(const Kernels<float>&, const StepConstants<float>&,
                               const ParticleView<float>&, PairBatch<float>&, std::size_t,
                               const TileRows&, PairScratch<float>&, ContactTally&, CollisionTally*);

@@ -1,6 +1,9 @@
 // The sphere-sphere contacts of one tile in one step: who touches, then the law over all that do.
 #pragma once
 
+#include <optional>
+#include <utility>
+
 #include "kernels/collision_tally.h"
 #include "kernels/contact.h"
 #include "soa/pairs.h"
@@ -11,6 +14,7 @@ namespace quern {
 template <class Real>
 struct PairScratch {
   Column<Index> i, j, state;   // of FoundPairs
+  FoundPairs found;            // in them, of the last tile
   ContactHistory<Real> spare;  // takes the new histories, and is then the old ones of that tile
   // Of PairCollisions:
   std::vector<ContactEnergies> energies;
@@ -25,5 +29,11 @@ void push_tile_pairs(const Kernels<Real>& kernels, const StepConstants<Real>& st
                      const ParticleView<Real>& particles, PairBatch<Real>& pairs, std::size_t tile,
                      const TileRows& rows, PairScratch<Real>& scratch, ContactTally& tally,
                      CollisionTally* collisions = nullptr);
+
+// After it, of the same tile: the first contact that did not remember finite numbers, as rows of
+// particles.
+template <class Real>
+std::optional<std::pair<Index, Index>> find_odd_history(const PairScratch<Real>& scratch,
+                                                        std::size_t law_history);
 
 }  // namespace quern

@@ -1,8 +1,11 @@
 // Who made a step go wrong: a look at all particles and contacts, for the message of a run that
 // stops.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
+#include "kernels/pairs/sphere_facet.h"
 #include "scheduler/step.h"
 
 namespace quern {
@@ -111,6 +114,70 @@ Offender find_offender(const World<Real>& world, std::uint32_t bits) {
   return found;
 }
 
+namespace {
+
+struct Flight {
+  Index id, body;
+  Vec3 place, velocity;     // m, at the end of the step; m/s
+  double thickness, reach;  // m
+};
+
+// Whether a wall lies within the way of the step.
+template <class Real>
+bool is_too_fast(const World<Real>& world, const Flight& f, std::span<const Index> facets,
+                 Offender& found) {
+  const Body& body = world.bodies[f.body];
+  const double dt = world.clock.dt;
+  const Vec3 from = f.place - dt * f.velocity;
+  const double way = dt * (f.velocity - body.velocity.at(from)).norm();
+  if (!(way > f.thickness)) return false;
+  const Vec3 in_body = body.pose.rotation.transpose() * (from - body.pose.shift);
+  std::array<WallTouch, kMaxWallTouches> touch;
+  const int count = sphere_facet_touches(body.facets, in_body, way + f.reach, facets, touch.data(),
+                                         kMaxWallTouches);
+  if (count == 0) return false;
+  found = {f.id, touch[0].wall, true, {f.place.x(), f.place.y(), f.place.z()}, 0};
+  return true;
+}
+
+}  // namespace
+
+template <class Real>
+Offender find_too_fast(const World<Real>& world) {
+  Offender found;
+  const Particles<Real>& p = world.particles;
+  for (const TileWalls& tile : world.tile_walls) {
+    const WallCandidates& c = tile.candidates;
+    for (std::size_t k = 0; k < c.particle.size(); ++k) {
+      const Record<Real>& r = p.record[c.particle[k]];
+      const double radius = static_cast<double>(r.radius);
+      const Flight f{p.id[c.particle[k]],    c.body[k], Vec3(r.x, r.y, r.z),
+                     Vec3(r.vx, r.vy, r.vz), radius,    radius};
+      const std::span<const Index> facets(c.facet.data() + c.first[k], c.first[k + 1] - c.first[k]);
+      if (is_too_fast(world, f, facets, found)) return found;
+    }
+  }
+  const Polyhedra<Real>& b = world.polyhedra;
+  for (std::size_t k = 0; k < b.size(); ++k) {
+    const Shape& shape = world.shapes[b.shape[k]];
+    for (Index e = b.wall_candidate_begin[k]; e < b.wall_candidate_begin[k + 1]; ++e) {
+      const Flight f{b.first_id + static_cast<Index>(k),
+                     b.wall_candidate_body[e],
+                     b.place(k),
+                     b.velocity(k),
+                     b.scale[k] * shape.inner_radius,
+                     b.scale[k] * shape.bound_radius};
+      const Index first = b.wall_candidate_facet_begin[e];
+      const std::span<const Index> facets(b.wall_candidate_facet.data() + first,
+                                          b.wall_candidate_facet_begin[e + 1] - first);
+      if (is_too_fast(world, f, facets, found)) return found;
+    }
+  }
+  return found;
+}
+
+template Offender find_too_fast(const World<float>&);
+template Offender find_too_fast(const World<double>&);
 template Offender find_offender(const World<float>&, std::uint32_t);
 template Offender find_offender(const World<double>&, std::uint32_t);
 

@@ -19,7 +19,8 @@ constexpr double kStiffenDrag = 60;         // 1/s: the bed swings, and falls to
 constexpr double kRelaxTrueLawTime = 0.05;  // s, the end of every relaxing
 constexpr double kRelaxDrag = 20;           // 1/s
 constexpr double kRelaxFriction = 0.3;  // of the scene's, while overlaps of polyhedra are capped
-constexpr double kFirstCap = 1e-4, kLastCap = 1e-2;  // of the smallest polyhedron's radius
+constexpr double kFirstCap = 1e-2;  // of the last one
+constexpr double kPolyhedronCap = 1e-2;  // of the smallest one's radius, where the scene has no cap
 constexpr int kRelaxStages = 32;
 
 // By what the step may be divided where stiffnesses are multiplied: the contact takes as much longer.
@@ -69,7 +70,7 @@ void add_relaxing(const Scene& scene, double dt, std::vector<PhasePlan>& plan) {
   const double total = scene.run.relax.value_or(0);
   const double capped = total - kRelaxTrueLawTime;
   for (int stage = 0; stage < kRelaxStages && capped > 0; ++stage) {
-    const double cap = kFirstCap * std::pow(kLastCap / kFirstCap, stage / (kRelaxStages - 1.0));
+    const double cap = std::pow(kFirstCap, 1 - stage / (kRelaxStages - 1.0));
     plan.push_back({Phase::kRelax, 1, dt, kRelaxDrag, steps_in(capped / kRelaxStages, dt), 0, cap});
   }
   if (total > 0) {
@@ -102,12 +103,12 @@ double run_time(const Scene& scene) {
 std::vector<PhasePlan> plan_phases(const Scene& scene, double dt, double depth, double mass,
                                    double smallest_radius) {
   std::vector<PhasePlan> plan;
+  add_relaxing(scene, dt, plan);
   if (scene.run.settle != SettleKind::kNone && scene.run.start == StartKind::kFill) {
     // At rest: the kinetic energy would not lift the charge by a hundredth of its finest radius.
     const double rest_energy = 0.01 * mass * scene.run.gravity.norm() * smallest_radius;
     add_settling(scene, dt, depth, rest_energy, plan);
   }
-  if (scene.run.start == StartKind::kFile) add_relaxing(scene, dt, plan);
   plan.push_back({Phase::kRun, 1, dt, 0, steps_in(run_time(scene), dt), 0});
   return plan;
 }
@@ -123,7 +124,9 @@ void enter_phase(World<Real>& world, const Scene& scene, const std::vector<Phase
           {phase.stiffness, phase.drag > 0,
            phase.overlap_cap > 0 && !world.polyhedra.empty() ? kRelaxFriction : 1});
   world.drag = std::exp(-phase.drag * phase.dt);
-  world.overlap_cap = phase.overlap_cap * smallest_polyhedron(world);
+  world.overlap_cap = phase.overlap_cap *
+                      scene.run.overlap_cap.value_or(kPolyhedronCap * smallest_polyhedron(world));
+  world.caps_spheres = phase.overlap_cap > 0 && scene.run.overlap_cap.has_value();
   world.moving_walls = phase.kind == Phase::kRun;
   if (clock.phase == row && clock.total_steps > 0 && clock.dt == phase.dt) return;  // resumed
   clock.phase = row;

@@ -4,11 +4,11 @@
 //   stiffen   stiffness back to the scene's in many small stages, slower than sound crosses the bed,
 //             so that the overlaps of the soft phase are given back without a jump of the charge; then
 //             the calm (`run.calm`): full stiffness under the same drag
-//   relax     after an exchange of shapes (scheduler/exchange): contacts of polyhedra push as if no
-//             deeper than a cap, under drag. A contact comes apart no faster than cap sqrt(k / m) over
+//   relax     of a start with deep overlaps, as after an exchange of shapes (scheduler/exchange):
+//             contacts push as if no deeper than a cap, under drag. A contact comes apart no faster than cap sqrt(k / m) over
 //             twice its damping ratio, where spring and dashpot cancel, however deep it was; so the
-//             cap begins at a ten-thousandth of the smallest polyhedron's radius and grows to a
-//             hundredth, which carries the charge, in many stages
+//             cap grows in many stages, by a hundred times, to what carries the charge: the scene's
+//             overlap_cap, or a hundredth of the smallest polyhedron's radius, for polyhedra alone
 //   settle    the true law and step, no drag: the last 0.1 s of every settling, 0.05 s of a relaxing
 //   run       the walls move; time, ledger and records start
 #pragma once
@@ -26,7 +26,7 @@ struct PhasePlan {
   double drag = 0;            // 1/s, rate at which velocities decay
   std::uint64_t steps = 0;    // at most
   double rest_energy = 0;     // J, kinetic: the phase ends early below it; 0: runs all its steps
-  double overlap_cap = 0;     // of the smallest polyhedron's equivalent radius; 0: none
+  double overlap_cap = 0;     // share of the cap at the end of relaxing; 0: none
 };
 
 inline constexpr double kExchangeRelax = 0.2;  // s, of a charge whose shapes were exchanged

@@ -36,6 +36,7 @@ void BodyStepper<Real>::prepare(const StepConstants<double>& walls, bool rebuilt
   constants_ = walls;
   constants_.rolling = false;  // of spheres only
   stretches_.resize(stretches());
+  odd_.assign(world_.tiles(), std::nullopt);
   for (Stretch& s : stretches_) {
     s.walls.clear();
     s.totals.assign(world_.walls.size(), WallTotal());
@@ -142,6 +143,7 @@ void BodyStepper<Real>::run_tile(std::size_t tile, int worker, const TileRows& r
   const Recording recording = constants_.recording;
   kernels_.push_spheres(constants_, view,
                         scratch.near.view(rows.first, world_.overlap_cap, recording), rows, tally);
+  odd_[tile] = scratch.near.odd(batch);
   if (collisions != nullptr) scratch.near.record(view, recording, *collisions);
 }
 
@@ -225,7 +227,9 @@ void BodyStepper<Real>::move_body(std::size_t body, const Vec3& force, Stretch& 
       inside = inside && place[e] >= world_.low[e] && place[e] <= world_.high[e];
     }
   }
-  if (!inside) t.bad += 1;
+  if (!inside || !std::isfinite(deviation2 + allowed)) t.bad += 1;
+  const double way = clock.dt * velocity.norm();
+  if (way > p.scale[body] * world_.shapes[p.shape[body]].inner_radius) t.fast += 1;
   p.x[body] = place.x();
   p.y[body] = place.y();
   p.z[body] = place.z();
@@ -271,6 +275,7 @@ void BodyStepper<Real>::rotate_stretch(std::size_t first, std::size_t count, Str
   for (std::size_t k = first; k < first + count; ++k) {
     const double way = way_of_points(p.list_orientation(k), p.orientation(k), table_.body[k].reach);
     if (way > static_cast<double>(p.list_turn[k])) stretch.move.strays += 1;
+    if (!std::isfinite(way + static_cast<double>(p.list_turn[k]))) stretch.move.bad += 1;
   }
 }
 
@@ -315,6 +320,7 @@ void BodyStepper<Real>::add_to(ContactTally& pairs, ContactTally& walls, double&
     walls.add(s.tally.contacts[1]);
     model_work += s.tally.model_work;
     add_move(s.move, move);
+    move.fast += s.move.fast;
     for (std::size_t w = 0; w < totals.size(); ++w) add_wall(s.totals[w], totals[w]);
   }
 }
@@ -329,6 +335,26 @@ Fallbacks BodyStepper<Real>::fallbacks() const {
   Fallbacks sum;
   for (const Stretch& s : stretches_) sum.add(s.tally.fallbacks);
   return sum;
+}
+
+template <class Real>
+Offender BodyStepper<Real>::odd_contact() const {
+  Offender found;
+  for (const OddPair& pair : odd_) {
+    if (!pair) continue;
+    const Record<Real>& r = world_.particles.record[pair->first];
+    found = {world_.particles.id[pair->first], world_.polyhedra.first_id + pair->second, false,
+             {r.x, r.y, r.z}, 0};
+    return found;
+  }
+  for (const Stretch& s : stretches_) {
+    if (s.tally.odd.id == kNoIndex) continue;
+    found = s.tally.odd;
+    const Vec3 x = world_.polyhedra.place(found.id - world_.polyhedra.first_id);
+    found.position = {x.x(), x.y(), x.z()};
+    return found;
+  }
+  return found;
 }
 
 template <class Real>

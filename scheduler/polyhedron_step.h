@@ -9,6 +9,8 @@
 // all forces are known. The result does not depend on which thread does what.
 #pragma once
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "kernels/near_lanes.h"
@@ -46,9 +48,13 @@ class BodyStepper {
               std::vector<WallTotal>& totals) const;
   void add_collisions(Collisions& all) const;  // while they are recorded, likewise
   Fallbacks fallbacks() const;                 // of this step
+  // Of this step: the bodies before it, and a contact of theirs whose energies are not finite.
+  const BodyTable& table() const { return table_; }
+  Offender odd_contact() const;
   void add_wear();                             // what the stretches have listed, likewise
 
  private:
+  using OddPair = std::optional<std::pair<Index, Index>>;
   struct Worker {
     PolyhedronContacts<Real> contacts;
     std::vector<double> lanes;  // of a group
@@ -75,6 +81,7 @@ class BodyStepper {
   StepConstants<double> constants_{};
   std::vector<Worker> workers_;
   std::vector<Stretch> stretches_;
+  std::vector<OddPair> odd_;  // of each tile: sphere and polyhedron
   BodyTable table_;
   Lists lists_ = Lists::kFresh;
   // Of each body: pairs as i, groups; the first pair as j, the first wall contact (one more at the

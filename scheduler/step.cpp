@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "kernels/wall_collisions.h"
+#include "scheduler/not_finite.h"
 #include "scheduler/totals.h"
 
 namespace quern {
@@ -56,6 +57,9 @@ void Stepper<Real>::prepare() {
   };
   fill(constants_);
   fill(wall_constants_);
+  if (world_.caps_spheres) {
+    constants_.overlap_cap = wall_constants_.overlap_cap = world_.overlap_cap;
+  }
   constants_.law = table_of<Real>(world_.law, world_.materials, world_.force_law);
   wall_constants_.law = table_of<double>(world_.wall_law, world_.materials, world_.force_law);
   tile_totals_.resize(world_.tiles());
@@ -98,6 +102,7 @@ void Stepper<Real>::run_walls(std::size_t tile, Worker& worker, const TileRows& 
   const Particles<Real>& p = world_.particles;
   kernels_.walls(wall_constants_, {p.record.data(), p.traits.data()}, contacts, rows,
                  tile_totals_[tile].walls);
+  note_odd_wall(tile);
   if (wears) list_wear(world_, contacts, worker.lanes, tile_wear_[tile]);
   if (collisions != nullptr) {
     record_wall_contacts(world_, contacts, worker.lanes, walls, *collisions);
@@ -159,7 +164,35 @@ void Stepper<Real>::run_tile(std::size_t tile, int worker) {
   m.drag = world_.drag;
   m.kick = clock.first_kick != 0 ? 0.5 * clock.dt : clock.dt;
   kernels_.move(m, rows, clock.dt, totals.move);
+  note_odd_pair(tile, w);
   w.times.add(Stage::kMotion, watch);
+}
+
+// While what the tile's contacts remembered is still at hand.
+template <class Real>
+void Stepper<Real>::note_odd_pair(std::size_t tile, const Worker& worker) {
+  TileTotals& t = tile_totals_[tile];
+  if (std::isfinite(t.pairs.work + t.pairs.elastic + t.move.translational + t.move.rotational)) {
+    return;
+  }
+  const auto odd = find_odd_history(worker.pairs, world_.pairs.law_history());
+  if (!odd || t.odd.id != kNoIndex) return;
+  const auto [i, j] = *odd;
+  const Particles<Real>& p = world_.particles;
+  t.odd = {p.id[i], p.id[j], false, {p.record[i].x, p.record[i].y, p.record[i].z}, 0};
+}
+
+template <class Real>
+void Stepper<Real>::note_odd_wall(std::size_t tile) {
+  TileTotals& t = tile_totals_[tile];
+  if (std::isfinite(t.walls.work + t.walls.elastic)) return;
+  for (const WallSpring& s : world_.tile_walls[tile].springs) {
+    const Vec3 numbers = s.spring + s.force + s.normal + s.point + s.moment;
+    if (numbers.allFinite() && std::isfinite(s.overlap)) continue;
+    const Record<Real>& r = world_.particles.record[s.particle];
+    t.odd = {world_.particles.id[s.particle], s.wall, true, {r.x, r.y, r.z}, 0};
+    return;
+  }
 }
 
 // Stretches of bodies are dear and come first; bodies move when all forces on them are known.
@@ -210,8 +243,10 @@ void Stepper<Real>::add_tiles() {
   StepTotals sum;
   std::fill(world_.wall_totals.begin(), world_.wall_totals.end(), WallTotal());
   ContactTally pairs, walls;
+  fast_ = 0;
   for (std::size_t tile = 0; tile < tile_totals_.size(); ++tile) {
     const TileTotals& t = tile_totals_[tile];
+    fast_ += t.move.fast;
     pairs.add(t.pairs);
     sum.polyhedron_sphere_contacts += t.near_bodies;
     walls.add(t.walls);
@@ -226,6 +261,7 @@ void Stepper<Real>::add_tiles() {
     bodies_->add_to(pairs, walls, sum.model_work, move, world_.wall_totals);
     sum.polyhedron_pair_contacts = pairs.contacts - before[0];
     sum.polyhedron_wall_contacts = walls.contacts - before[1];
+    fast_ += move.fast;
     add_move(move, sum);
   }
   sum.pair_work = pairs.work;
@@ -324,16 +360,43 @@ StepReport Stepper<Real>::judge() const {
   const StepTotals& t = world_.totals;
   report.max_overlap = t.max_overlap;
   // Where shapes were exchanged, bodies stand deep in others until they are relaxed.
-  if (world_.overlap_cap == 0) {
+  if (world_.overlap_cap > 0) {
+    if (world_.caps_spheres) report.capped = static_cast<std::uint64_t>(t.warnings);
+  } else {
     report.warnings = static_cast<std::uint64_t>(t.warnings);
     if (t.warnings > 0) report.bits |= kOverlapWarning;
     if (t.max_overlap > 1) report.bits |= kDeepOverlap;
     if (bodies_) report.fallbacks = bodies_->fallbacks();
   }
-  if (t.bad > 0) report.bits |= kOutside;
-  if (!std::isfinite(t.translational) || !std::isfinite(t.rotational)) report.bits |= kNotFinite;
-  if ((report.bits & kFatalBits) != 0) report.first = find_offender(world_, report.bits);
+  const bool finite = std::isfinite(t.translational + t.rotational + t.elastic + t.pair_work +
+                                    t.wall_contact_work + t.model_work);
+  if (!finite || t.bad > 0) {
+    report.first = find_odd();
+    const bool odd = !finite || report.first.id != kNoIndex;
+    report.bits |= odd ? std::uint32_t{kNotFinite} : std::uint32_t{kOutside};
+  }
+  if (fast_ > 0 && (report.bits & kFatalBits) == 0) {
+    report.first = find_too_fast(world_);
+    if (report.first.id != kNoIndex) report.bits |= kTooFast;
+  }
+  if ((report.bits & kFatalBits) != 0 && report.first.id == kNoIndex) {
+    report.first = find_offender(world_, report.bits);
+  }
   return report;
+}
+
+// The next records are those of before the step.
+template <class Real>
+Offender Stepper<Real>::find_odd() const {
+  BeforeStep<Real> before{&world_.particles.record_next, &world_.particles.traits_next, nullptr, {}};
+  for (const TileTotals& t : tile_totals_) {
+    if (before.contact.id == kNoIndex) before.contact = t.odd;
+  }
+  if (bodies_) {
+    before.bodies = &bodies_->table();
+    if (before.contact.id == kNoIndex) before.contact = bodies_->odd_contact();
+  }
+  return find_not_finite(world_, before);
 }
 
 // Whether the strays have new lines and the lists are complete.
@@ -367,6 +430,13 @@ StepReport Stepper<Real>::step() {
   Clock& clock = world_.clock;
   Stopwatch watch;
   const bool rebuilds = clock.list_stale != 0;
+  if (rebuilds && !is_listable(world_)) {
+    StepReport report;
+    report.bits = kNotFinite;
+    report.first = find_not_finite<Real>(
+        world_, {&world_.particles.record, &world_.particles.traits, nullptr, {}});
+    return report;
+  }
   if (rebuilds) {
     move_walls();
     rebuild(world_, graph_, rebuild_);
@@ -388,9 +458,10 @@ StepReport Stepper<Real>::step() {
   ++clock.step;
   ++clock.total_steps;
   clock.warnings += report.warnings;
+  world_.capped_contacts += report.capped;
   world_.polyhedra.fallbacks.add(report.fallbacks);
   clock.first_kick = 0;
-  judge_lists();
+  if ((report.bits & kFatalBits) == 0) judge_lists();
   times_.totals += watch.lap();
   return report;
 }

@@ -48,6 +48,7 @@ class Stepper {
     ContactTally pairs, walls;
     double near_bodies = 0;  // contacts among `pairs` of spheres with polyhedra
     MoveTally move;
+    Offender odd;            // the first contact that brought in what is not finite
   };
 
   void prepare();
@@ -61,6 +62,9 @@ class Stepper {
   void account();
   void account_collisions();
   StepReport judge() const;
+  Offender find_odd() const;
+  void note_odd_pair(std::size_t tile, const Worker& worker);
+  void note_odd_wall(std::size_t tile);
   bool relist_strays();
   void judge_lists();
 
@@ -78,11 +82,17 @@ class Stepper {
   std::vector<CollisionTally> tile_collisions_;  // while they are recorded
   std::vector<std::vector<KnownTouch>> known_touches_;  // of each tile's candidates for walls
   std::optional<BodyStepper<Real>> bodies_;
+  double fast_ = 0;  // particles that moved by more than their radius in this step
   StageTimes times_;
 };
 
 // The first particle that makes `bits` true, found by looking at all of them: for error messages.
 template <class Real>
 Offender find_offender(const World<Real>& world, std::uint32_t bits);
+
+// After a step: the first particle that moved in it by more than its radius (a polyhedron: its inner
+// one) relative to a wall that was within its way, and so may have passed through; kNoIndex: none.
+template <class Real>
+Offender find_too_fast(const World<Real>& world);
 
 }  // namespace quern

@@ -8,7 +8,7 @@
 
 namespace quern {
 
-// `to` is a MoveTally or the StepTotals, which name these sums alike.
+// `to` is a MoveTally or the StepTotals, which name these sums alike; `fast` is for the caller.
 template <class To>
 void add_move(const MoveTally& from, To& to) {
   to.translational += from.translational;

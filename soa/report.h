@@ -11,12 +11,13 @@
 namespace quern {
 
 enum StepBit : std::uint32_t {
-  kNotFinite = 1u << 0,     // NaN or infinity in position or velocity
+  kNotFinite = 1u << 0,     // NaN or infinity in what is known of a particle or a contact
   kDeepOverlap = 1u << 1,   // overlap above the particle's radius; not while overlaps are capped
   kOutside = 1u << 2,       // centre outside the domain
   kOverlapWarning = 1u << 3,  // above half the radius: counted, does not stop; likewise
+  kTooFast = 1u << 4,  // moves by more than its radius (a polyhedron: inner one) in a step, at a wall
 };
-inline constexpr std::uint32_t kFatalBits = kNotFinite | kDeepOverlap | kOutside;
+inline constexpr std::uint32_t kFatalBits = kNotFinite | kDeepOverlap | kOutside | kTooFast;
 
 struct Offender {
   Index id = kNoIndex;
@@ -43,6 +44,7 @@ struct StepReport {
   std::uint32_t bits = 0;
   Offender first;             // of the fatal bits
   std::uint64_t warnings = 0; // contacts above half a radius in this step
+  std::uint64_t capped = 0;   // contacts that were pushed at the cap, where the scene has one
   Fallbacks fallbacks;        // likewise; not while overlaps are capped
   double max_overlap = 0;     // relative to the smaller radius
   bool rebuilt = false;

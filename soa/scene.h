@@ -206,9 +206,12 @@ struct RunSpec {
   double calm_time = 0.12;       // s, with a drag at full stiffness, after the soft phase
   StartKind start = StartKind::kFill;
   std::string start_file;
-  // s, with start_file: overlaps are let go gently before the run; default: 0.2 where spheres of the
-  // file become polyhedra, else 0
+  // s: overlaps of the start are let go gently before all else; default: 0.2 where spheres of
+  // start_file become polyhedra, else 0
   std::optional<double> relax;
+  // m, while relaxing: contacts, of spheres too, push as if no deeper than this; default: those of
+  // polyhedra alone are capped
+  std::optional<double> overlap_cap;
   Precision precision = Precision::kMixed;
   std::optional<Index> tile_size;
   std::optional<double> list_slack;  // m

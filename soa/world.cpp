@@ -94,6 +94,7 @@ void World<Real>::visit(StateVisitor& v) {
   block("ledger", "J", ledger, ElementType::kF64);
   block("window", "sums over steps", window, ElementType::kF64);
   block("totals", "sums over the scene", totals, ElementType::kF64);
+  v.later_values("capped_contacts", "1", ElementType::kU64, &capped_contacts, 1);
   visit_rows(v, "walls/totals", "N, N m, J", wall_totals);
   v.later_column("wear/cells", "J, N m, N s", wear.cells, kWearSums);
   v.later_column("wear/walls", "J, N m, N s", wear.walls, kWearSums);

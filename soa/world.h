@@ -140,6 +140,7 @@ struct World {
   PatchLaw patch;
   double drag = 1;              // velocity factor of the soft phase
   double overlap_cap = 0;       // m; contacts of polyhedra push as if no deeper than this; 0: none
+  bool caps_spheres = false;    // and those of spheres
 
   // State.
   Particles<Real> particles;
@@ -153,6 +154,7 @@ struct World {
   Clock clock;
   Wear wear;
   Collisions collisions;
+  std::uint64_t capped_contacts = 0;  // pushed at the cap that the scene gives, summed over steps
 
   std::size_t bodies_of_charge() const { return particles.size() + polyhedra.size(); }
   std::size_t tiles() const { return (particles.size() + tile_size - 1) / tile_size; }

@@ -252,6 +252,7 @@ void Recorder::write_summary(World<Real>& world, const RunFigures& figures) {
   s.set("numerical_loss", numerical_loss_share(l));
   if (collisions_) collisions_->write(world, record_from_, series_, s);
   s.set("overlap_warnings", world.clock.warnings);
+  if (scene_.run.overlap_cap) s.set("capped_contacts", world.capped_contacts);
   if (!world.shapes.empty()) {
     s.set("contained_warnings", world.polyhedra.fallbacks.contained);
     s.set("bounded_warnings", world.polyhedra.fallbacks.bounded);

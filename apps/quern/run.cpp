@@ -76,6 +76,9 @@ class Run {
       const bool stage = row > 0 && plan_[row].kind == plan_[row - 1].kind;
       if (world_.clock.step == 0 && !stage) save(options_.out, Tables::kLater);
       fine = run_phase(plan_[row]);
+      const bool relaxed = row + 1 < plan_.size() && plan_[row].kind == Phase::kRelax &&
+                           plan_[row + 1].kind != Phase::kRelax;
+      if (fine && relaxed && world_.caps_spheres) log_info(capped_line());
       if (g_signal != 0 || stopped_) break;
     }
     if (fine) save(options_.out, Tables::kLater);
@@ -227,6 +230,13 @@ class Run {
   static std::string deep_line(std::uint64_t warnings) {
     return fmt::format("{} contacts were deeper than half the smaller radius (summed over steps)",
                        warnings);
+  }
+
+  std::string capped_line() const {
+    return fmt::format(
+        "relaxed: {:.0f} contacts are deeper than 'overlap_cap', the deepest {:.2g} of the smaller "
+        "radius; {} were pushed at the cap (summed over steps)",
+        world_.totals.warnings, world_.totals.max_overlap, world_.capped_contacts);
   }
 
   static std::string fallbacks_line(const Fallbacks& f) {

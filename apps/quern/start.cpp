@@ -197,6 +197,7 @@ void Start<Real>::restart_clock() {
   world.clock.list_stale = 1;
   world.clock.rebuilds = 0;
   world.clock.warnings = 0;
+  world.capped_contacts = 0;
   world.polyhedra.fallbacks = Fallbacks();
   const std::optional<double> slack = loaded.scene.run.list_slack;
   world.clock.fixed_slack = slack ? 1 : 0;
@@ -212,9 +213,11 @@ std::string failure_text(const World<Real>& world, const StepReport& report,
   const Offender& o = report.first;
   std::string what;
   if ((report.bits & kNotFinite) != 0) {
-    what = "a position or velocity is not finite";
+    what = "a number is not finite";
   } else if ((report.bits & kOutside) != 0) {
     what = "a particle has left the domain";
+  } else if ((report.bits & kTooFast) != 0) {
+    what = "a step moves a particle by more than its radius, too fast for the wall in its way";
   } else {
     what = fmt::format("an overlap reached {:.2f} of the smaller radius", report.max_overlap);
   }

@@ -195,10 +195,17 @@ HWY_INLINE ResponseV<V> respond(const StepConstants<Real>& step, const Coefficie
   const V dt = hn::Set(d, static_cast<Real>(step.dt));
   const V half_dt = hn::Set(d, static_cast<Real>(0.5 * step.dt));
   const V tiny = hn::Set(d, Real(1e-15));
+  // As deep as the springs take it; those of bodies have been capped before.
+  V pressed = t.overlap, depth_old = hn::Max(t.overlap_old, zero);
+  const bool capped = !kBodies && step.overlap_cap > 0;
+  if (HWY_UNLIKELY(capped)) {
+    const V most = hn::Set(d, static_cast<Real>(step.overlap_cap));
+    pressed = hn::Min(pressed, most);
+    depth_old = hn::Min(depth_old, most);
+  }
   // A lost contact gives back what it was a step ago.
-  const V depth_old = hn::Max(t.overlap_old, zero);
   const CoefficientsV<V> k =
-      Law::at(table, hn::IfThenElse(touching, t.overlap, depth_old), t.reduced_radius);
+      Law::at(table, hn::IfThenElse(touching, pressed, depth_old), t.reduced_radius);
   const ReducedV<V> c = reduce<Law::kDamped>(k, t, half_dt);
   V kt_old = c.kt;
   if constexpr (Law::kChanging) {
@@ -218,7 +225,7 @@ HWY_INLINE ResponseV<V> respond(const StepConstants<Real>& step, const Coefficie
     damped_velocity =
         hn::IfThenElse(fresh, hn::NegMulAdd(rate, t.overlap, hn::Mul(half, vn)), vn);
   }
-  V spring_n = hn::Mul(c.kn, t.overlap);
+  V spring_n = hn::Mul(c.kn, pressed);
   if constexpr (kBodies) spring_n = hn::Mul(c.reduction, t.elastic_force);
   V fn = hn::NegMulAdd(c.cn, damped_velocity, spring_n);
   if (step.clamped) fn = hn::Max(zero, fn);
@@ -267,6 +274,11 @@ HWY_INLINE ResponseV<V> respond(const StepConstants<Real>& step, const Coefficie
     r.work = hn::MulAdd(half_dt, dot(old.moment + r.moment, spin), r.work);
   }
   V stored = hn::Mul(hn::Set(d, Real(Law::kStored)), hn::Mul(c.kn, hn::Mul(t.overlap, t.overlap)));
+  if (HWY_UNLIKELY(capped)) {
+    // s k p^2 + k p (overlap - p)
+    const V beyond = hn::NegMulAdd(hn::Set(d, Real(1 - Law::kStored)), pressed, t.overlap);
+    stored = hn::Mul(spring_n, beyond);
+  }
   if constexpr (kBodies) stored = hn::Mul(c.reduction, t.stored);
   const V half_kt = hn::Mul(half, c.kt);
   const V kept2 = hn::Mul(hn::Mul(spring_cut, spring_cut), trial2);

@@ -90,7 +90,8 @@ void sphere_facet(const StepConstants<double>& step, const ParticleView<Real>& p
     store3(r.spring, walls.spring, at);
     store3(r.force, walls.force, at);
     store3(r.moment, walls.moment, at);
-    count_response<double, Law>(r, touching, hn::Div(t.overlap, radius), sum);
+    count_response<double, Law>(r, touching, hn::Div(t.overlap, radius), radius, step.overlap_cap,
+                                sum);
 
     const Vec3V<V> torque = add_scaled(r.moment, arm, cross(r.tangential, t.normal));
     const auto index = hn::Sub(hn::LoadU(D32U(), walls.particle + at), hn::Set(D32U(), tile.first));

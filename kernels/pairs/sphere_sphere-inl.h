@@ -394,7 +394,10 @@ HWY_INLINE void sphere_sphere(const StepConstants<Real>& step, const ParticleVie
     store_history(episode, touching, behind<std::size(h)>(new_history), at.now);
   }
   at.now += hn::CountTrue(d, touching);
-  if constexpr (kOwn) count_response<Real, Law>(r, touching, hn::Div(t.overlap, radius_i), few.tally);
+  if constexpr (kOwn) {
+    count_response<Real, Law>(r, touching, hn::Div(t.overlap, radius_i), radius_i,
+                              step.overlap_cap, few.tally);
+  }
 
   const Vec3V<V> twist = cross(r.tangential, t.normal);  // = -n x F_t
   Vec3V<V> torque_j = scale(arm_j, twist);

@@ -232,11 +232,21 @@ ends = "periodical")",
      R"(seed = 1
 precision = "single")",
      {R"~(7:13: error: 'precision': "single" is not known (mixed, double))~"}},
-    {"RelaxWithoutAFile",
+    {"RelaxOfWhatRainsIn",
+     R"(seed = 1
+gravity = ["0 m/s^2", "-9.81 m/s^2", "0 m/s^2"])",
+     R"(seed = 1
+relax = "0.2 s"
+gravity = ["0 m/s^2", "-9.81 m/s^2", "0 m/s^2"]
+[fill]
+method = "rain"
+over = "1 s")",
+     {R"~(7:9: error: 'relax' is for particles that are there from the start: not with rain)~"}},
+    {"CapWithoutRelaxing",
      "seed = 1",
      R"(seed = 1
-relax = "0.2 s")",
-     {R"~(7:9: error: 'relax' needs start = "file")~"}},
+overlap_cap = "0.1 mm")",
+     {R"~(7:15: error: 'overlap_cap' needs 'relax')~"}},
     {"UnknownOverlap",
      R"(law = "linear-spring-dashpot")",
      R"(overlap = "depth")",

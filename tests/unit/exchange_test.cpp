@@ -259,7 +259,8 @@ TYPED_TEST(Exchange, IsRelaxedUnderACapOfTheSmallestPolyhedron) {
   double smallest = HUGE_VAL;
   for (const double scale : world.polyhedra.scale) smallest = std::min(smallest, scale);
   enter_phase(world, this->scene_, plan, 0);
-  EXPECT_EQ(world.overlap_cap, plan[0].overlap_cap * smallest);
+  EXPECT_DOUBLE_EQ(world.overlap_cap, plan[0].overlap_cap * 0.01 * smallest);
+  EXPECT_FALSE(world.caps_spheres);
   EXPECT_LT(world.drag, 1);
   EXPECT_FALSE(world.moving_walls);
   const double friction = this->scene_.contact.sliding_friction.value();
@@ -268,6 +269,14 @@ TYPED_TEST(Exchange, IsRelaxedUnderACapOfTheSmallestPolyhedron) {
   EXPECT_EQ(world.overlap_cap, 0);
   EXPECT_EQ(world.drag, 1);
   EXPECT_EQ(world.law.sliding_friction[0], static_cast<TypeParam>(friction));
+  // The scene's own cap is one of all contacts.
+  Scene capped = this->scene_;
+  capped.run.overlap_cap = 1e-5;
+  enter_phase(world, capped, plan, 0);
+  EXPECT_DOUBLE_EQ(world.overlap_cap, plan[0].overlap_cap * 1e-5);
+  EXPECT_TRUE(world.caps_spheres);
+  enter_phase(world, capped, plan, plan.size() - 2);
+  EXPECT_FALSE(world.caps_spheres);
   // Spheres alone stand at the friction they have: at a lower one a bed at rest would move again.
   World<TypeParam> spheres = world_of<TypeParam>(box_scene(ShapeKind::kSphere));
   enter_phase(spheres, this->scene_, plan, 0);

@@ -115,6 +115,7 @@ void check_move(std::size_t count, unsigned seed) {
     sum.max_deviation2 = std::max(sum.max_deviation2, e.deviation2);
     const double allowed = static_cast<double>(crowd.allowance[at]);
     sum.strays += e.deviation2 > allowed * allowed;
+    sum.fast += dt * e.velocity.norm() > static_cast<double>(r.radius);
     sum.bad += std::abs(e.place.x()) > 3 || std::abs(e.place.y()) > 3 || e.place.z() < -3;
   }
   MoveTally got;
@@ -146,6 +147,7 @@ void check_move(std::size_t count, unsigned seed) {
   EXPECT_NEAR(got.max_deviation2, sum.max_deviation2, kUlps * 10);
   EXPECT_EQ(got.strays, sum.strays);
   EXPECT_EQ(got.bad, sum.bad);
+  EXPECT_EQ(got.fast, sum.fast);
 }
 
 template <class Real>

@@ -44,6 +44,7 @@ void expect_same(const RunSpec& a, const RunSpec& b) {
   EXPECT_EQ(a.start, b.start);
   EXPECT_EQ(a.start_file, b.start_file);
   EXPECT_EQ(a.relax, b.relax);
+  EXPECT_EQ(a.overlap_cap, b.overlap_cap);
   EXPECT_EQ(a.precision, b.precision);
   EXPECT_EQ(a.tile_size, b.tile_size);
   EXPECT_EQ(a.list_slack, b.list_slack);
@@ -307,6 +308,7 @@ calm = "0.3 s"
 start = "file"
 start_file = "points.csv"
 relax = "0.3 s"
+overlap_cap = "0.05 mm"
 precision = "double"
 tile_size = 64
 list_slack = "0.7 mm"
