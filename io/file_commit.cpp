@@ -37,10 +37,10 @@ class Descriptor {
   int fd_;
 };
 
-Descriptor create(const std::string& what, const PendingFile& pending) {
+Descriptor create(const std::string& what, const std::string& path, const PendingFile& pending) {
   Descriptor file(
       ::open(pending.temporary().c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-  if (file.get() < 0) fail("write", what, pending.temporary(), "open", errno);
+  if (file.get() < 0) fail("write", what, path, "open", errno);
   return file;
 }
 
@@ -113,7 +113,7 @@ void sync_path(const std::string& what, const std::string& path) {
 void write_text_file(const std::string& what, const std::string& path, const std::string& text,
                      Durability durability) {
   PendingFile pending(what, path);
-  Descriptor file = create(what, pending);
+  Descriptor file = create(what, path, pending);
   write_all(file, text, what, path);
   if (file.close() != 0) fail("write", what, path, "close", errno);
   pending.commit(durability);
@@ -122,7 +122,7 @@ void write_text_file(const std::string& what, const std::string& path, const std
 void copy_file(const std::string& what, const std::string& from, const std::string& to) {
   Descriptor source = open_to_read(what, from);
   PendingFile pending(what, to);
-  Descriptor file = create(what, pending);
+  Descriptor file = create(what, to, pending);
   std::string part(std::size_t{1} << 20, '\0');
   while (const std::size_t n = read_some(source, part, what, from)) {
     write_all(file, std::string_view(part).substr(0, n), what, to);
