@@ -156,9 +156,11 @@ void fields(Io& io, DomainSpec& domain) {
 template <class Io, class Spec>
 void coefficient_fields(Io& io, Spec& spec) {
   using enum Dimension;
-  io({"normal_stiffness", "spring along the normal, of the linear law", kStiffness, Range::kPositive},
+  io({"normal_stiffness", "spring along the normal, of the linear law", kStiffness,
+      Range::kPositive},
      spec.normal_stiffness);
-  io({"tangential_stiffness", "spring along the surface, of the linear law", kStiffness, Range::kPositive},
+  io({"tangential_stiffness", "spring along the surface, of the linear law", kStiffness,
+      Range::kPositive},
      spec.tangential_stiffness);
   io({"restitution", "rebound speed over impact speed", kNumber, Range::kFraction},
      spec.restitution);

@@ -48,8 +48,8 @@ HWY_INLINE void set_elastic(const CoefficientsV<V>& table, double cap, BodyTouch
   const V stiffness = Springs::at(table, hn::Max(pressed, hn::Zero(d)), t.reduced_radius).kn;
   t.elastic_force = hn::Mul(stiffness, pressed);
   // s k p^2 + k p (overlap - p)
-  t.stored = hn::Mul(t.elastic_force,
-                     hn::NegMulAdd(hn::Set(d, 1 - Springs::kStored), pressed, t.overlap));
+  t.stored =
+      hn::Mul(t.elastic_force, hn::NegMulAdd(hn::Set(d, 1 - Springs::kStored), pressed, t.overlap));
 }
 
 // What one vector of contacts needs: the sphere is i, the polyhedron is j.

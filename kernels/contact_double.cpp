@@ -16,14 +16,9 @@ namespace HWY_NAMESPACE {
 
 template <class Springs>
 Kernels<double> kernels_of() {
-  return {&find_pairs<double>,
-          &push_pairs<double, Springs>,
-          &sphere_facet<double, Springs>,
-          &move_spheres<double>,
-          &gather_spheres<double>,
-          &push_spheres<double, Springs>,
-          &push_bodies<Springs>,
-          hwy::TargetName(HWY_TARGET)};
+  return {&find_pairs<double>,   &push_pairs<double, Springs>, &sphere_facet<double, Springs>,
+          &move_spheres<double>, &gather_spheres<double>,      &push_spheres<double, Springs>,
+          &push_bodies<Springs>, hwy::TargetName(HWY_TARGET)};
 }
 
 Kernels<double> kernels_double(ForceLaw law) {

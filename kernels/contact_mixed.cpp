@@ -16,14 +16,9 @@ namespace HWY_NAMESPACE {
 
 template <class Springs>
 Kernels<float> kernels_of() {
-  return {&find_pairs<float>,
-          &push_pairs<float, Springs>,
-          &sphere_facet<float, Springs>,
-          &move_spheres<float>,
-          &gather_spheres<float>,
-          &push_spheres<float, Springs>,
-          &push_bodies<Springs>,
-          hwy::TargetName(HWY_TARGET)};
+  return {&find_pairs<float>,    &push_pairs<float, Springs>, &sphere_facet<float, Springs>,
+          &move_spheres<float>,  &gather_spheres<float>,      &push_spheres<float, Springs>,
+          &push_bodies<Springs>, hwy::TargetName(HWY_TARGET)};
 }
 
 Kernels<float> kernels_mixed(ForceLaw law) {

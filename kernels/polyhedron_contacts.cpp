@@ -198,10 +198,10 @@ void PolyhedronContacts<Real>::collect_pair(World<Real>& world, BodyTable& table
   pair.elastic_force = pair.stored = 0;
   pair.couple.setZero();
   if (touching) {
-    set_elastic(world,
-                {touch.overlap, touch.area, touch.volume, touch.moment, lane.smaller,
-                 lane.reduced_radius},
-                row, pair.elastic_force, pair.stored, pair.couple);
+    set_elastic(
+        world,
+        {touch.overlap, touch.area, touch.volume, touch.moment, lane.smaller, lane.reduced_radius},
+        row, pair.elastic_force, pair.stored, pair.couple);
   }
   lane.couple = pair.couple;
   put_before({normal_old, overlap_old, at_old, pair.spring, pair.force});

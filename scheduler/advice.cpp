@@ -201,8 +201,7 @@ void advise_hertz(const Scene& scene, const AdviceClass& a, const AdviceClass& b
 void advise_linear(const AdviceClass& a, const AdviceClass& b, const PairValues& v,
                    double normal_factor, StepAdvice& advice) {
   const double along = reduced(a.tangential_mass, b.tangential_mass);
-  advice.contact_time =
-      contact_time(reduced(a.mass, b.mass), v.normal_stiffness * normal_factor);
+  advice.contact_time = contact_time(reduced(a.mass, b.mass), v.normal_stiffness * normal_factor);
   advice.tangential_time =
       v.tangential_stiffness > 0 ? contact_time(along, v.tangential_stiffness) : HUGE_VAL;
 }

@@ -23,8 +23,8 @@ constexpr double kFirstCap = 1e-2;  // of the last one
 constexpr double kPolyhedronCap = 1e-2;  // of the smallest one's radius, where the scene has no cap
 constexpr int kRelaxStages = 32;
 
-// By what the step may be divided where stiffnesses are multiplied: the contact takes as much longer.
-// That of Hertz is (m^2 / (k^2 v))^(1/5).
+// By what the step may be divided where stiffnesses are multiplied: the contact takes as much
+// longer. That of Hertz is (m^2 / (k^2 v))^(1/5).
 double step_factor(const Scene& scene, double stiffness) {
   return scene.contact.law == ForceLaw::kHertzMindlin ? std::pow(stiffness, 0.4)
                                                       : std::sqrt(stiffness);

@@ -212,7 +212,8 @@ LawColumns<Real> law_columns(const Scene& scene, const std::vector<PairValues>& 
     const double kn = change.stiffness * p.normal_stiffness;
     const double kt = change.stiffness * p.tangential_stiffness;
     const bool damped = change.damped || scene.contact.tangential_damping;
-    // What of the stiffness is under the root: laws/linear_spring_dashpot-inl.h and hertz_mindlin-inl.h.
+    // What of the stiffness is under the root: laws/linear_spring_dashpot-inl.h and
+    // hertz_mindlin-inl.h.
     const bool hertz = scene.contact.law == ForceLaw::kHertzMindlin;
     const double under_n = hertz ? kn * 5 / 4 : kn, under_t = hertz ? kt * 5 / 6 : kt * 2 / 7;
     const double at = damped ? 2 * zeta * std::sqrt(under_t) : 0;

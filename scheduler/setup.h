@@ -33,9 +33,9 @@ struct SceneGeometry {
 SceneGeometry build_geometry(const Scene& scene, std::span<const std::vector<Triangle>> meshes,
                              std::span<const ParticleSeed> particles);
 
-// How many steps a contact takes, for one pair of size classes (or a class and a wall). A polyhedron
-// counts with the least mass that a corner of it opposes to a push, since it turns away; and where
-// overlap is a width, two of its contacts push like three springs.
+// How many steps a contact takes, for one pair of size classes (or a class and a wall). A
+// polyhedron counts with the least mass that a corner of it opposes to a push, since it turns away;
+// and where overlap is a width, two of its contacts push like three springs.
 //
 // Springs that stiffen have no contact time of their own: theirs is that of an impact at
 // typical_speed(), and their tangential one is at the overlap which that reaches. Beside it stands
@@ -44,7 +44,7 @@ struct StepAdvice {
   std::string a, b;                 // "ore 15-25 mm", "liner"
   double contact_time = 0, tangential_time = 0;  // s
   double steps_normal = 0, steps_tangential = 0;
-  double rayleigh_time = 0;         // s; 0: not asked of the law
+  double rayleigh_time = 0;  // s; 0: not asked of the law
 };
 std::vector<StepAdvice> advise_steps(const Scene& scene, std::span<const ParticleSeed> particles,
                                      double dt);
@@ -54,8 +54,8 @@ inline constexpr double kRefusedSteps = 4.0, kWarnedSteps = 10.0, kAdvisedSteps 
 inline constexpr double kRefusedRayleigh = 1.0, kWarnedRayleigh = 0.4, kAdvisedRayleigh = 0.2;
 
 // m/s: the scene's impact_speed, or the fastest of its walls, of a fall through the mill, a box or
-// the domain, and of the velocities that particles begin with; 1 if all are 0. A factor of two in it
-// changes contact times by 13 %.
+// the domain, and of the velocities that particles begin with; 1 if all are 0. A factor of two in
+// it changes contact times by 13 %.
 double typical_speed(const Scene& scene);
 
 // Of normal_model = "volume", whose force on a flat face jumps to k_V A at the first touch: how high

@@ -34,7 +34,7 @@ struct Operations {
 inline constexpr Operations kOfIdleSlot = {2, 14}, kOfTouchingSlot = {340, 28};
 inline constexpr Operations kOfDamping = {27, 0},
                             kOfRolling = {57, 0},  // besides, of a touching slot
-                            kOfHertzMindlin = {60, 0};
+    kOfHertzMindlin = {60, 0};
 inline constexpr Operations kOfMotion = {0, 108};  // of a sphere
 
 struct StepCost {

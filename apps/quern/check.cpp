@@ -67,10 +67,11 @@ void print_impacts(const LoadedScene& loaded, const std::vector<StepAdvice>& all
       [](const StepAdvice& a, const StepAdvice& b) { return a.rayleigh_time < b.rayleigh_time; });
   log_info(fmt::format("  of impacts at {:.3g} m/s ('contact.impact_speed')",
                        typical_speed(loaded.scene)));
-  log_info(fmt::format("Rayleigh     {:.4g} s of {}; the step is {:.3g} of it ({:g} refused, {:g} "
-                       "warned, {:g} advised)",
-                       finest.rayleigh_time, finest.a, loaded.dt / finest.rayleigh_time,
-                       kRefusedRayleigh, kWarnedRayleigh, kAdvisedRayleigh));
+  log_info(
+      fmt::format("Rayleigh     {:.4g} s of {}; the step is {:.3g} of it ({:g} refused, {:g} "
+                  "warned, {:g} advised)",
+                  finest.rayleigh_time, finest.a, loaded.dt / finest.rayleigh_time,
+                  kRefusedRayleigh, kWarnedRayleigh, kAdvisedRayleigh));
 }
 
 void print_steps(const LoadedScene& loaded) {

@@ -2,7 +2,7 @@
 """Makes the references of law = "hertz-mindlin" with LIGGGHTS: hertz_references.py OUT [impacts|mill]
 
 impacts  hertz_impacts_plane.csv, hertz_impacts_pair.csv: oblique impacts at 18 angles
-mill     hertz_lab_mill.json: the mill of apps/scenes/lab_mill_hertz.toml, 8 seeds
+mill     hertz_lab_mill.json: the mill of apps/scenes/lab_mill_hertz.toml, 4 seeds
 
 Both stand in tests/golden, with what they are in its README. Needs the Debian package liggghts (3.8.0).
 """
@@ -224,7 +224,7 @@ def run_mill(folder, seed):
     return dict(zip(FIGURES, means))
 
 
-def mill(out, folder, seeds=8):
+def mill(out, folder, seeds=4):
     runs = [run_mill(os.path.join(folder, f"seed{seed}"), seed) for seed in range(1, seeds + 1)]
     golden = {"origin": "LIGGGHTS-PUBLIC 3.8.0 (Debian 12 package 3.8.0+repack1-9+b2), 1 rank, made by "
                         "bench/peers/hertz_references.py: pair gran model hertz tangential history "

@@ -4,12 +4,12 @@
 //   T   = -kt' xi_t - c_t' v_t,  |F_t| <= mu |F_n|
 //   M   = -w_r/|w_r| min(mu_r R* F_n, I* |w_r| / (dt max(2, Z_i + Z_j)))      rolling friction
 //
-// What all laws share: the implicit damping of kernels/README.md (kn', kt' make an isolated pair the
-// implicit midpoint rule; c_n', c_t' are bounded by the contacts Z that the partners had in the last
-// step, which keeps dense packings stable down to 4 steps per contact; w is the share of the step in
-// which a fresh contact touched), friction, rolling (Zhou et al. 1999; Ai et al. 2011, model A) and
-// the ledger. A law (laws/linear_spring_dashpot-inl.h, laws/hertz_mindlin-inl.h) says what
-// stiffnesses and dashpots are at an overlap and what the normal spring stores.
+// What all laws share: the implicit damping of kernels/README.md (kn', kt' make an isolated pair
+// the implicit midpoint rule; c_n', c_t' are bounded by the contacts Z that the partners had in the
+// last step, which keeps dense packings stable down to 4 steps per contact; w is the share of the
+// step in which a fresh contact touched), friction, rolling (Zhou et al. 1999; Ai et al. 2011,
+// model A) and the ledger. A law (laws/linear_spring_dashpot-inl.h, laws/hertz_mindlin-inl.h) says
+// what stiffnesses and dashpots are at an overlap and what the normal spring stores.
 #if defined(QUERN_SPRING_DASHPOT_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef QUERN_SPRING_DASHPOT_INL_H_
 #undef QUERN_SPRING_DASHPOT_INL_H_
@@ -53,16 +53,16 @@ HWY_INLINE CoefficientsV<hn::Vec<Lanes<Real>>> load_coefficients(
 // contact point.
 template <class V>
 struct TouchV {
-  Vec3V<V> normal, normal_old;       // unit, from j to i
-  V overlap, overlap_old;            // m
-  V normal_velocity;                 // m/s, < 0 on approach
-  Vec3V<V> at_point, at_old;         // m/s, of i - of j at the contact point; with the arms of a step ago
-  Vec3V<V> spin_i, spin_j;           // rad/s
-  V inverse_mass;                    // 1/m_e
-  V count_rate;                      // Z_i/m_i + Z_j/m_j
-  V contacts;                        // Z_i + Z_j
-  V reduced_radius;                  // R*; where the law asks for it
-  V inverse_inertia;                 // 1/I*
+  Vec3V<V> normal, normal_old;  // unit, from j to i
+  V overlap, overlap_old;       // m
+  V normal_velocity;            // m/s, < 0 on approach
+  Vec3V<V> at_point, at_old;  // m/s, of i - of j at the contact point; with the arms of a step ago
+  Vec3V<V> spin_i, spin_j;    // rad/s
+  V inverse_mass;             // 1/m_e
+  V count_rate;               // Z_i/m_i + Z_j/m_j
+  V contacts;                 // Z_i + Z_j
+  V reduced_radius;           // R*; where the law asks for it
+  V inverse_inertia;          // 1/I*
 };
 
 template <class V>
@@ -111,7 +111,8 @@ struct Recorded : Law {  // collisions are recorded
 };
 
 // Turns the tangential spring with the contact: the rotation that takes the old normal to the new
-// one (length kept), then by the partners' mean spin about the normal. `inverse` is 1 / (1 + n.n_old).
+// one (length kept), then by the partners' mean spin about the normal. `inverse` is that of
+// 1 + n.n_old.
 template <class V>
 HWY_INLINE Vec3V<V> carry_spring(const Vec3V<V>& spring, const TouchV<V>& t, V half_dt, V inverse) {
   const hn::DFromV<V> d;
@@ -119,8 +120,8 @@ HWY_INLINE Vec3V<V> carry_spring(const Vec3V<V>& spring, const TouchV<V>& t, V h
   const V turn = hn::Mul(dot(spring, n), inverse);
   const Vec3V<V> carried = add_scaled(spring, hn::Neg(turn), n + t.normal_old);
   const V angle = hn::Mul(half_dt, dot(t.spin_i + t.spin_j, n));
-  const V shorten = hn::NegMulAdd(hn::Mul(hn::Set(d, hn::TFromV<V>(0.5)), angle), angle,
-                                  hn::Set(d, 1));
+  const V shorten =
+      hn::NegMulAdd(hn::Mul(hn::Set(d, hn::TFromV<V>(0.5)), angle), angle, hn::Set(d, 1));
   return add_scaled(scale(shorten, carried), angle, cross(n, carried));
 }
 
@@ -222,8 +223,7 @@ HWY_INLINE ResponseV<V> respond(const StepConstants<Real>& step, const Coefficie
   V damped_velocity = vn;
   if (step.clamped) {
     const V rate = hn::Set(d, static_cast<Real>(1 / step.dt));
-    damped_velocity =
-        hn::IfThenElse(fresh, hn::NegMulAdd(rate, t.overlap, hn::Mul(half, vn)), vn);
+    damped_velocity = hn::IfThenElse(fresh, hn::NegMulAdd(rate, t.overlap, hn::Mul(half, vn)), vn);
   }
   V spring_n = hn::Mul(c.kn, pressed);
   if constexpr (kBodies) spring_n = hn::Mul(c.reduction, t.elastic_force);
@@ -251,8 +251,8 @@ HWY_INLINE ResponseV<V> respond(const StepConstants<Real>& step, const Coefficie
                                 hn::Mul(cap_over_both, size_a), one);
     r.spring = scale(spring_cut, spring_trial);
   } else {
-    spring_cut = hn::IfThenElse(hn::Gt(spring_force, cap),
-                                hn::Div(cap, hn::Max(spring_force, tiny)), one);
+    spring_cut =
+        hn::IfThenElse(hn::Gt(spring_force, cap), hn::Div(cap, hn::Max(spring_force, tiny)), one);
     r.spring = scale(spring_cut, spring_trial);
     r.tangential = scale(hn::Neg(c.kt), r.spring);
   }
@@ -263,9 +263,10 @@ HWY_INLINE ResponseV<V> respond(const StepConstants<Real>& step, const Coefficie
     const Vec3V<V> roll = add_scaled(spin, hn::Neg(dot(spin, n)), n);
     const V size = hn::Sqrt(dot(roll, roll));
     const V most = hn::Mul(hn::Mul(k.mur, t.reduced_radius), fn);
-    const V stop = hn::Div(size, hn::Mul(hn::Mul(t.inverse_inertia, dt),
-                                         hn::Max(hn::Set(d, 2), t.contacts)));
-    r.moment = scale(hn::Neg(hn::Div(hn::Min(hn::Max(most, zero), stop), hn::Max(size, tiny))), roll);
+    const V stop =
+        hn::Div(size, hn::Mul(hn::Mul(t.inverse_inertia, dt), hn::Max(hn::Set(d, 2), t.contacts)));
+    r.moment =
+        scale(hn::Neg(hn::Div(hn::Min(hn::Max(most, zero), stop), hn::Max(size, tiny))), roll);
   }
 
   // Ledger: exact work of old and new force over the step, see scheduler/README.md.

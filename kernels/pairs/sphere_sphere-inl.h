@@ -348,8 +348,7 @@ HWY_INLINE void sphere_sphere(const StepConstants<Real>& step, const ParticleVie
   const BodyV<Real> a = join_bodies(low_i, high_i, low_motion_i, high_motion_i);
   const BodyV<Real> b = join_bodies(low_j, high_j, low_motion_j, high_motion_j);
   V arm_i, arm_j;
-  const TouchV<V> t =
-      touch_of<Real, Law>(step, a, radius_i, b, radius_j, s, arm_i, arm_j);
+  const TouchV<V> t = touch_of<Real, Law>(step, a, radius_i, b, radius_j, s, arm_i, arm_j);
 
   using Row = hn::RebindToSigned<Lanes<Real>>;
   const auto states = load_index<Real>(state);

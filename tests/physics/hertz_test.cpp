@@ -38,9 +38,7 @@ struct Outcome {
 
 const double kCubeSide = kDiameter * std::cbrt(kPi / 6);  // of the volume of the sphere
 
-double reduced_mass(Partner p) {
-  return sphere_mass(kDiameter) * (p == Partner::kWall ? 1 : 0.5);
-}
+double reduced_mass(Partner p) { return sphere_mass(kDiameter) * (p == Partner::kWall ? 1 : 0.5); }
 double reduced_radius(Partner p) { return kRadius * (p == Partner::kWall ? 1 : 0.5); }
 
 double contact_time_of(const Impact& i) {
@@ -171,7 +169,8 @@ double swing(const Vec3& kick, double weight) {
     stepper.step();
     const Vec3 arm(0, 0, -kRadius);
     const double now = (velocity_of(world, 0) + spin_of(world, 0).cross(arm)).dot(kick);
-    if (before < 0 && now >= 0) times.push_back(world.time() - world.clock.dt * now / (now - before));
+    if (before < 0 && now >= 0)
+      times.push_back(world.time() - world.clock.dt * now / (now - before));
     before = now;
   }
   EXPECT_GT(times.size(), 5u);
@@ -222,7 +221,8 @@ TYPED_TEST(Hertz, ACubeRestsAtTheOverlapOfASphereOfItsVolume) {
 }
 
 TYPED_TEST(Hertz, TheAccountOfALabMillCloses) {
-  World<TypeParam> world = world_of<TypeParam>(shipped_scene("lab_mill_hertz", {"run.settle=none"}));
+  World<TypeParam> world =
+      world_of<TypeParam>(shipped_scene("lab_mill_hertz", {"run.settle=none"}));
   Stepper<TypeParam> stepper(world, 1);
   run_until(world, stepper, 0.3);
   const Ledger& l = world.ledger;

@@ -87,8 +87,9 @@ int steps_of_case(const Row& c, double reduced_mass, double reduced_radius) {
   const double gap = 1e-6, slowest = c.at("v0") * std::cos(85 * kPi / 180);
   double contact = 0;
   if (is_hertz(c)) {
-    const double modulus = 4.0 / 3 / ((1 - std::pow(c.at("poisson"), 2)) / c.at("young") +
-                                      (1 - std::pow(c.at("poisson2"), 2)) / c.at("young2"));
+    const double modulus = 4.0 / 3 /
+                           ((1 - std::pow(c.at("poisson"), 2)) / c.at("young") +
+                            (1 - std::pow(c.at("poisson2"), 2)) / c.at("young2"));
     contact = hertz_contact_time(reduced_mass, reduced_radius, modulus, slowest);
   } else {
     contact = normal_contact_time(reduced_mass, c.at("kn"));
@@ -106,9 +107,11 @@ struct Differences {
     const double share = off.norm() / r.at("v0");
     worst = std::max(worst, share);
     EXPECT_LT(share, limit_of(r)) << "e " << r.at("restitution") << ", " << r.at("angle_deg")
-                             << " degrees";
+                                  << " degrees";
   }
-  ~Differences() { std::printf("  largest difference %.2g %% of the speed of impact\n", 100 * worst); }
+  ~Differences() {
+    std::printf("  largest difference %.2g %% of the speed of impact\n", 100 * worst);
+  }
 };
 
 template <class Real>
@@ -174,9 +177,7 @@ template <class Real>
 class Impacts : public testing::Test {};
 TYPED_TEST_SUITE(Impacts, Precisions, Names);
 
-TYPED_TEST(Impacts, OnAPlaneReboundAsInLammps) {
-  compare_on_plane<TypeParam>("impacts_plane.csv");
-}
+TYPED_TEST(Impacts, OnAPlaneReboundAsInLammps) { compare_on_plane<TypeParam>("impacts_plane.csv"); }
 
 TYPED_TEST(Impacts, OfTwoSizesReboundAsInLammps) { compare_pairs<TypeParam>("impacts_pair.csv"); }
 

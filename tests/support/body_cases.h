@@ -57,7 +57,8 @@ inline Wanted wanted_contact(const twin::Coefficients& law, double size, Random&
   const Vec3 any = random.in_cube(0.5);
   w.at_point = any - (approach + any.dot(w.normal)) * w.normal;
   if (!fresh) {
-    w.history = random_history(twin::at_overlap(law, depth, size), w.normal_old, depth, false, random);
+    w.history =
+        random_history(twin::at_overlap(law, depth, size), w.normal_old, depth, false, random);
   }
   return w;
 }

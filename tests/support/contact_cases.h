@@ -232,7 +232,8 @@ struct PairCases {
     batch.begin[1] = static_cast<Index>(blocks);
     set_histories(batch, histories);
     PairScratch<Real> scratch;
-    push_tile_pairs(choose_kernels<Real>(step.law.kind), step, particles(), batch, 0, rows, scratch, tally);
+    push_tile_pairs(choose_kernels<Real>(step.law.kind), step, particles(), batch, 0, rows, scratch,
+                    tally);
   }
   void set_history(std::size_t k, const twin::History& h) { histories[k] = rounded<Real>(h); }
   const twin::History& history(std::size_t k) const { return histories[k]; }

@@ -97,8 +97,8 @@ inline double normal_contact_time(double reduced_mass, double kn) {
 inline double hertz_modulus(double young, double poisson) {
   return 4.0 / 3 * young / (2 * (1 - poisson * poisson));
 }
-// The deepest overlap of Hertz' springs without damping, 2/5 k d^(5/2) = 1/2 m v^2, and how long the
-// contact takes.
+// The deepest overlap of Hertz' springs without damping, 2/5 k d^(5/2) = 1/2 m v^2, and how long
+// the contact takes.
 inline double hertz_depth(double reduced_mass, double reduced_radius, double modulus,
                           double speed) {
   const double k = modulus * std::sqrt(reduced_radius);

@@ -24,8 +24,8 @@ struct Coefficients {
   double share() const { return hertz() ? 0.4 : 0.5; }
 };
 
-// Stiffnesses and dashpots at an overlap: those of Hertz and Mindlin go as the radius of the contact
-// and as its root.
+// Stiffnesses and dashpots at an overlap: those of Hertz and Mindlin go as the radius of the
+// contact and as its root.
 inline Coefficients at_overlap(Coefficients k, double overlap, double reduced_radius) {
   if (!k.hertz()) return k;
   const double a = std::sqrt(reduced_radius * std::max(0.0, overlap));
@@ -39,8 +39,12 @@ inline Coefficients at_overlap(Coefficients k, double overlap, double reduced_ra
 template <class Real>
 Coefficients coefficients(const LawTable<Real>& law, Index a, Index b) {
   const std::size_t row = a * law.materials + b;
-  return {law.normal_stiffness[row],   law.tangential_stiffness[row], law.normal_damping[row],
-          law.tangential_damping[row], law.sliding_friction[row],     law.rolling_friction[row],
+  return {law.normal_stiffness[row],
+          law.tangential_stiffness[row],
+          law.normal_damping[row],
+          law.tangential_damping[row],
+          law.sliding_friction[row],
+          law.rolling_friction[row],
           law.kind};
 }
 
@@ -272,8 +276,9 @@ inline void set_errors(const Coefficients& table, const Coefficients& k, const C
   r.slide_error =
       spring * (stiffest * (r.spring_error + (o.eps + grown.share) * spring) + old_spring);
   if (table.hertz()) r.model_error = r.slide_error;
-  r.damping_error = o.dt * t.speed * (r.force_error + stiffest * r.spring_error +
-                                      o.eps * (size + before) + old_spring);
+  r.damping_error =
+      o.dt * t.speed *
+      (r.force_error + stiffest * r.spring_error + o.eps * (size + before) + old_spring);
   const double deep = std::max(reach, std::abs(c.overlap_old));
   r.loss_error = deep * (t.kn * (o.eps * deep + slack) + grown.kn_old * deep);
 }

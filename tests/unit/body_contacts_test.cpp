@@ -91,8 +91,9 @@ void check_near(NearCases<Real>& cases, unsigned seed) {
   NearContacts<Real> contacts = cases.view();
   contacts.told = told.data();
   for (std::size_t k = 0; k < cases.count; ++k) cases.history_of[k][13] = Real(k + 1);
-  choose_kernels<Real>(cases.step.law.kind).push_spheres(cases.step, cases.particles(), contacts,
-                                      rows.tile(cases.kFirst, cases.spheres()), got);
+  choose_kernels<Real>(cases.step.law.kind)
+      .push_spheres(cases.step, cases.particles(), contacts,
+                    rows.tile(cases.kFirst, cases.spheres()), got);
   for (std::size_t k = 0; k < cases.count; ++k) {
     const twin::Response& r = cases.expected[k];
     const twin::Contact& c = cases.contact[k];

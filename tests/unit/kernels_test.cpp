@@ -339,8 +339,8 @@ void check_walls(const CaseOptions& o, std::size_t count, unsigned seed) {
   }
   Rows rows(2 * count);
   ContactTally got;
-  choose_kernels<Real>(step.law.kind).walls(step, cases.particles(), walls,
-                               rows.tile(0, static_cast<Index>(2 * count)), got);
+  choose_kernels<Real>(step.law.kind)
+      .walls(step, cases.particles(), walls, rows.tile(0, static_cast<Index>(2 * count)), got);
   const auto now = [&](double* const(&from)[3], std::size_t k) {
     return Vec3(from[0][k], from[1][k], from[2][k]);
   };
