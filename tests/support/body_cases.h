@@ -88,6 +88,7 @@ struct NearCases {
   std::vector<const double*> motion;
   std::vector<Real*> history_of;
   std::vector<double*> sums_of;
+  std::size_t odd = ~std::size_t{0};
   std::vector<twin::Contact> contact;
   std::vector<twin::Response> expected;
   double cap;
@@ -134,7 +135,7 @@ struct NearCases {
     return {touch.data(),    sphere.data(),      motion.data(),
             material.data(), rock_radius.data(), history_of.data(),
             sums_of.data(),  padded(count),      cap,
-            nullptr};
+            nullptr,         &odd};
   }
   Vec3 sum(std::size_t first, std::size_t k) const {
     return Eigen::Map<const Vec3>(sums_of[k] + first);

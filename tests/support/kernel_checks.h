@@ -41,6 +41,7 @@ struct Rows {
 // Sums of the twins, and of their errors.
 struct TallyTwin {
   ContactTally sum, error;
+  double cap = 0;  // m; 0: none. Deep is what is beyond it, else beyond half a radius
   void add(const twin::Contact& c, const twin::Response& r) {
     sum.work += r.work;
     error.work += r.work_error;
@@ -56,7 +57,8 @@ struct TallyTwin {
     error.model_work += r.model_error;
     const double depth = c.overlap / c.least_radius();
     sum.contacts += c.touching ? 1 : 0;
-    sum.warnings += c.touching && depth > 0.5 ? 1 : 0;
+    const double deep = cap > 0 ? cap : 0.5 * c.least_radius();
+    sum.warnings += c.touching && c.overlap > deep ? 1 : 0;
     sum.max_overlap = std::max(sum.max_overlap, depth);
   }
   void expect(const ContactTally& got, double eps) const {

@@ -85,6 +85,7 @@ void check_near(NearCases<Real>& cases, unsigned seed) {
     before.rows[k] = rows.rows[k] = k % kRowWidth < 6 ? random(-10, 10) : 3;
   }
   TallyTwin tally;
+  tally.cap = cases.cap;
   for (std::size_t k = 0; k < cases.count; ++k) tally.add(cases.contact[k], cases.expected[k]);
   ContactTally got;
   std::vector<NearTold> told(padded(cases.count));
@@ -112,6 +113,7 @@ void check_near(NearCases<Real>& cases, unsigned seed) {
   expect_sums(cases);
   expect_rows(cases, before, rows);
   tally.expect(got, kEps<double>);
+  EXPECT_GE(cases.odd, cases.all) << "all is finite";
   for (std::size_t k = cases.count; k < cases.all; ++k) {
     const double idle = k < padded(cases.count) ? 0 : kUntouched;
     for (std::size_t h = 0; h < cases.kHistory; ++h) {
