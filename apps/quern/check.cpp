@@ -10,7 +10,9 @@
 #include "apps/quern/load.h"
 #include "apps/quern/machine.h"
 #include "apps/quern/recorder.h"
+#include "apps/quern/trade_advice.h"
 #include "io/log.h"
+#include "scheduler/impact_trial.h"
 #include "scheduler/phases.h"
 #include "scheduler/step.h"
 #include "scheduler/trial.h"
@@ -92,6 +94,21 @@ void print_steps(const LoadedScene& loaded) {
                 spec.steps_per_contact.front());
   log_info(fmt::format("limit        a dense packing of spheres of {:g}-{:g} mm {} (measured)",
                        1e3 * spec.from, 1e3 * spec.to, found));
+}
+
+void print_accuracy(const LoadedScene& loaded) {
+  if (loaded.seeds.empty()) return;
+  const DeliveredRestitution found = measure_restitution(loaded.scene, loaded.seeds, loaded.dt);
+  log_info(
+      fmt::format("restitution  of {:g} asked {:.4f} +- {:.4f} is delivered, by when in a step two "
+                  "meet (measured; of all materials the pair furthest off)",
+                  found.asked, found.mean, found.scatter));
+  log_info("accuracy     of other scenes at settings like these (quern trade; errors with standard "
+           "errors, <: below two)");
+  const JudgedScene scene = {fewest_steps_per_contact(loaded),
+                             impact_overlap(loaded.scene, loaded.seeds),
+                             precision_name(loaded.scene)};
+  for (const std::string& line : expected_accuracy(scene, shipped_tables())) log_info(line);
 }
 
 void print_walls(const Facets& facets) {
@@ -194,6 +211,7 @@ int check_command(const RunOptions& options) {
   log_info(fmt::format("{}: valid", options.scene));
   print_contents(loaded);
   print_steps(loaded);
+  print_accuracy(loaded);
   if (loaded.scene.run.precision == Precision::kDouble) {
     print_cost<double>(loaded, options.threads);
   } else {

@@ -133,10 +133,21 @@ class Trade {
     return found != measured_.end() && found->second.outcome.state == TradeState::kFinished;
   }
 
-  // What the row names, or the default where that is not among the settings done.
+  // What the row names; where that has not been run, for the finest of the numerics the one with
+  // most steps a contact, else the default.
   std::string against(const TradeRow& row) const {
-    if (finished(row.against)) return row.against;
-    return finished(kDefaultSetting) ? kDefaultSetting : "";
+    if (finished(row.against) || !finished(kDefaultSetting))
+      return finished(row.against) ? row.against : "";
+    std::string best = kDefaultSetting;
+    for (const TradeRow& other : rows_) {
+      if (row.against != kFinestSetting || other.dial != kStepsDial) continue;
+      if (!finished(other.setting.name)) continue;
+      const auto steps = [&](const std::string& name) {
+        return measured_.at(name).figures.steps_per_contact;
+      };
+      if (steps(other.setting.name) > steps(best)) best = other.setting.name;
+    }
+    return best;
   }
 
   TradeTable table() const {
@@ -156,7 +167,9 @@ class Trade {
       TradeResult result{row,   against(row), m.precision, m.outcome.reason,
                          false, m.cost,       m.figures,   {}};
       if (result.status.empty() && !result.against.empty()) {
-        result.errors = errors_of(m.figures, measured_.at(result.against).figures);
+        result.errors = result.against == row.setting.name
+                            ? no_errors(m.figures)
+                            : errors_of(m.figures, measured_.at(result.against).figures);
       }
       table.rows.push_back(std::move(result));
     }

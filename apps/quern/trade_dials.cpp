@@ -123,7 +123,7 @@ void add_precision(const LoadedScene& loaded, Rows& rows) {
 
 void add_steps(const LoadedScene& loaded, Rows& rows) {
   for (const double steps : kSteps) {
-    rows.push_back({"steps per contact",
+    rows.push_back({kStepsDial,
                     fmt::format("{:g}", steps),
                     {fmt::format("steps_{:g}", steps), step_key(contact_time_of(loaded) / steps)},
                     kFinestSetting});

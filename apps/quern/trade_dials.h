@@ -35,6 +35,7 @@ struct TradeRow {
 
 inline constexpr const char* kDefaultSetting = "default";
 inline constexpr const char* kFinestSetting = "finest";
+inline constexpr const char* kStepsDial = "steps per contact";
 
 // All rows of a scene, the default first. Dials that the scene has no use for are left out.
 std::vector<TradeRow> trade_rows(const LoadedScene& loaded);

@@ -43,4 +43,7 @@ struct TradeError {
 // the mean depth; its standard error is what two runs of one setting would show.
 std::vector<TradeError> errors_of(const TradeFigures& of, const TradeFigures& against);
 
+// Against itself a setting has no error, by chance either.
+std::vector<TradeError> no_errors(const TradeFigures& of);
+
 }  // namespace quern

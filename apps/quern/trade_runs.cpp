@@ -118,7 +118,7 @@ class StateMaker {
     const TradeOutcome spheres = make_spheres(base, polyhedra, state);
     if (spheres.state != TradeState::kFinished || !polyhedra) return spheres;
     const bool own = own_ != SteadyState::kShared;
-    Keys keys = own ? keys_ : options_.overrides;
+    Keys keys = own ? state_set() : options_.overrides;
     append(keys, state_keys(options_, scene_));
     append(keys, start_keys(state));
     state = (own ? folder_ : options_.out) + "/steady";
@@ -126,13 +126,24 @@ class StateMaker {
   }
 
  private:
+  // A state needs the setting's particles, and not its short steps.
+  Keys state_set() const {
+    Keys keys = keys_;
+    std::erase_if(keys, [&](const std::string& key) {
+      const bool users = std::find(options_.overrides.begin(), options_.overrides.end(), key) !=
+                         options_.overrides.end();
+      return !users && key.starts_with("run.time_step=");
+    });
+    return keys;
+  }
+
   TradeOutcome make_spheres(const LoadedScene& base, bool polyhedra, std::string& state) {
     const bool own = own_ == SteadyState::kOwnCharge;
     if (!own && !options_.spheres.empty()) {
       state = options_.spheres;
       return {};
     }
-    Keys keys = own ? keys_ : options_.overrides;
+    Keys keys = own ? state_set() : options_.overrides;
     if (polyhedra || !own) append(keys, as_spheres(own ? scene_ : base.scene));
     append(keys, state_keys(options_, scene_));
     state = (own ? folder_ : options_.out) + "/steady_spheres";
