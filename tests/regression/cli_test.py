@@ -65,7 +65,7 @@ class Info(Case):
                     "run.time_step", "mill.lifters.count", "SIMD targets")
 
     def test_says_how_it_is_used(self):
-        self.expect(0, quern("--help"), "run", "resume", "check", "bench", "shape", "info")
+        self.expect(0, quern("--help"), "run", "resume", "check", "bench", "trade", "shape", "info")
         self.expect(0, quern("--version"), "0.")
         self.expect(2, quern())
         self.expect(2, quern("grind"))
