@@ -19,9 +19,8 @@ struct DeliveredRestitution {
 DeliveredRestitution measure_restitution(const Scene& scene,
                                          std::span<const ParticleSeed> particles, double dt);
 
-// Overlap over radius when two of the heaviest particles meet with the speed of a fall through the
-// mill (without a mill: through 1 m). It measures how soft the
-// springs are: softened f times, it is sqrt(f) times as large.
+// Overlap over radius when two of the heaviest particles meet undamped at typical_speed(): how soft
+// the springs are. Linear ones softened f times give sqrt(f) times as much.
 double impact_overlap(const Scene& scene, std::span<const ParticleSeed> particles);
 
 }  // namespace quern

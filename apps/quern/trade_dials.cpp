@@ -37,12 +37,20 @@ double contact_time_of(const LoadedScene& loaded) {
   return fewest_steps_per_contact(loaded) * loaded.dt;
 }
 
+// Hertz' contact time goes with E^-2/5, that of a linear spring with k^-1/2.
+double slower(const Scene& scene, double times) {
+  return std::pow(times, scene.contact.law == ForceLaw::kHertzMindlin ? 0.4 : 0.5);
+}
+
 // All stiffnesses of the scene divided by `times`.
 Keys soft_keys(const Scene& scene, double times) {
   Keys keys;
   const auto add = [&](const std::string& key, const std::optional<double>& value) {
     if (value) keys.push_back(fmt::format("{}={:.12g}", key, *value / times));
   };
+  for (const Material& m : scene.materials) {
+    add(fmt::format("materials.{}.young_modulus", m.name), m.young_modulus);
+  }
   const ContactSpec& c = scene.contact;
   add("contact.normal_stiffness", c.normal_stiffness);
   add("contact.tangential_stiffness", c.tangential_stiffness);
@@ -56,7 +64,7 @@ Keys soft_keys(const Scene& scene, double times) {
 }
 
 Keys softened(const LoadedScene& loaded, double times) {
-  return soft_keys(loaded.scene, times) + step_key(loaded.dt * std::sqrt(times));
+  return soft_keys(loaded.scene, times) + step_key(loaded.dt * slower(loaded.scene, times));
 }
 
 std::string sizes_key(const ParticleSpec& species, const std::vector<SizeClass>& sizes) {
@@ -141,7 +149,7 @@ void add_softness(const LoadedScene& loaded, Rows& rows) {
 
 void add_pairs_of_dials(const LoadedScene& loaded, Rows& rows) {
   const auto soft_and_steps = [&](double times, double steps) {
-    const double dt = contact_time_of(loaded) * std::sqrt(times) / steps;
+    const double dt = contact_time_of(loaded) * slower(loaded.scene, times) / steps;
     rows.push_back({"softened, steps",
                     fmt::format("{:g} x, {:g}", times, steps),
                     {fmt::format("soft_{:g}_steps_{:g}", times, steps),

@@ -12,6 +12,7 @@
 #include "io/log.h"
 #include "io/scene_reader.h"
 #include "io/summary.h"
+#include "scheduler/phases.h"
 
 namespace quern {
 
@@ -37,6 +38,12 @@ bool holds_scene(const std::string& folder, const Scene& scene) {
          without_places(read_text_file("scene", path)) == without_places(scene_to_toml(scene));
 }
 
+// Whether the folder's run is over, and of this very scene.
+bool is_made(const TradeOptions& options, const std::string& folder, const Keys& keys) {
+  return outcome_of(folder).state != TradeState::kStopped &&
+         holds_scene(folder, load_scene(options.scene, keys).scene);
+}
+
 // One run in one folder. What the scene itself forbids (too long a step) is a failure of the
 // setting.
 TradeOutcome make_run(const TradeOptions& options, const std::string& folder, const Keys& keys) {
@@ -46,16 +53,11 @@ TradeOutcome make_run(const TradeOptions& options, const std::string& folder, co
   run.threads = options.threads;
   run.overrides = keys;
   try {
-    const LoadedScene loaded = load_scene(options.scene, keys);
-    judge_time_step(loaded);
-    const bool same = holds_scene(folder, loaded.scene);
-    if (same) {
-      const TradeOutcome there = outcome_of(folder);
-      if (there.state != TradeState::kStopped) return there;
-    }
+    if (is_made(options, folder, keys)) return outcome_of(folder);
     log_info(fmt::format("\n# {}", folder));
     std::error_code ignored;
     fs::remove(folder + "/cost.json", ignored);
+    const bool same = holds_scene(folder, load_scene(options.scene, keys).scene);
     if (same && fs::exists(folder + "/checkpoint.h5")) {
       resume_command(run);
     } else {
@@ -99,62 +101,69 @@ Keys record_keys(const TradeOptions& options, const Scene& scene) {
 
 void append(Keys& keys, const Keys& more) { keys.insert(keys.end(), more.begin(), more.end()); }
 
+// A setting's scene and the states it starts from.
 class StateMaker {
  public:
-  StateMaker(const TradeOptions& options, const TradeSetting& setting)
-      : options_(options), keys_(options.overrides), own_(setting.state) {
+  StateMaker(const TradeOptions& options, const LoadedScene& base, const TradeSetting& setting)
+      : options_(options), base_(base), keys_(options.overrides), own_(setting.state) {
     append(keys_, setting.set);
     scene_ = load_scene(options.scene, keys_).scene;
     folder_ = folder_of_setting(options, setting.name);
+    polyhedra_ = std::any_of(scene_.particles.begin(), scene_.particles.end(), has_polyhedra);
   }
 
   const Keys& keys() const { return keys_; }
   const Scene& scene() const { return scene_; }
 
-  // Sets `state` to the folder of the state the setting starts from.
-  TradeOutcome make(const LoadedScene& base, std::string& state) {
-    const bool polyhedra =
-        std::any_of(scene_.particles.begin(), scene_.particles.end(), has_polyhedra);
-    const TradeOutcome spheres = make_spheres(base, polyhedra, state);
-    if (spheres.state != TradeState::kFinished || !polyhedra) return spheres;
-    const bool own = own_ != SteadyState::kShared;
-    Keys keys = own ? state_set() : options_.overrides;
+  // Folder of the state that the setting starts from.
+  std::string state() const {
+    if (!polyhedra_) return spheres();
+    return (own_ == SteadyState::kShared ? options_.out : folder_) + "/steady";
+  }
+
+  TradeOutcome make() const {
+    const TradeOutcome made = make_spheres();
+    if (made.state != TradeState::kFinished || !polyhedra_) return made;
+    Keys keys = state_set(own_ != SteadyState::kShared);
     append(keys, state_keys(options_, scene_));
-    append(keys, start_keys(state));
-    state = (own ? folder_ : options_.out) + "/steady";
-    return make_run(options_, state, keys);
+    append(keys, start_keys(spheres()));
+    keys.push_back(fmt::format("run.relax={:g}", kExchangeRelax));
+    return make_run(options_, state(), keys);
   }
 
  private:
-  // A state needs the setting's particles, and not its short steps.
-  Keys state_set() const {
-    Keys keys = keys_;
-    std::erase_if(keys, [&](const std::string& key) {
-      const bool users = std::find(options_.overrides.begin(), options_.overrides.end(), key) !=
-                         options_.overrides.end();
-      return !users && key.starts_with("run.time_step=");
-    });
+  bool own_spheres() const { return own_ == SteadyState::kOwnCharge; }
+
+  std::string spheres() const {
+    if (own_spheres()) return folder_ + "/steady_spheres";
+    return options_.spheres.empty() ? options_.out + "/steady_spheres" : options_.spheres;
+  }
+
+  TradeOutcome make_spheres() const {
+    if (!own_spheres() && !options_.spheres.empty()) return {};
+    Keys keys = state_set(own_spheres());
+    append(keys, as_spheres(own_spheres() ? scene_ : base_.scene));
+    append(keys, state_keys(options_, scene_));
+    return make_run(options_, spheres(), keys);
+  }
+
+  // The scene's keys, or the setting's: a state needs its particles, and not its short steps.
+  Keys state_set(bool own) const {
+    Keys keys = options_.overrides;
+    if (!own) return keys;
+    for (std::size_t k = keys.size(); k < keys_.size(); ++k) {
+      if (!keys_[k].starts_with("run.time_step=")) keys.push_back(keys_[k]);
+    }
     return keys;
   }
 
-  TradeOutcome make_spheres(const LoadedScene& base, bool polyhedra, std::string& state) {
-    const bool own = own_ == SteadyState::kOwnCharge;
-    if (!own && !options_.spheres.empty()) {
-      state = options_.spheres;
-      return {};
-    }
-    Keys keys = own ? state_set() : options_.overrides;
-    if (polyhedra || !own) append(keys, as_spheres(own ? scene_ : base.scene));
-    append(keys, state_keys(options_, scene_));
-    state = (own ? folder_ : options_.out) + "/steady_spheres";
-    return make_run(options_, state, keys);
-  }
-
   const TradeOptions& options_;
-  Keys keys_;
+  const LoadedScene& base_;
+  Keys keys_;  // the user's, then the setting's
   SteadyState own_;
   Scene scene_;
   std::string folder_;
+  bool polyhedra_ = false;
 };
 
 }  // namespace
@@ -175,14 +184,18 @@ std::string folder_of_setting(const TradeOptions& options, const std::string& na
 TradeOutcome run_setting(const TradeOptions& options, const LoadedScene& base,
                          const TradeSetting& setting) {
   try {
-    StateMaker maker(options, setting);
-    std::string state;
-    const TradeOutcome made = maker.make(base, state);
-    if (made.state != TradeState::kFinished) return made;
+    const StateMaker maker(options, base, setting);
+    const std::string folder = folder_of_setting(options, setting.name);
     Keys keys = maker.keys();
     append(keys, record_keys(options, maker.scene()));
-    append(keys, start_keys(state));
-    return make_run(options, folder_of_setting(options, setting.name), keys);
+    // Asked without the state, which is not needed any more and may have been deleted.
+    Keys made_keys = keys;
+    append(made_keys, start_keys(folder));
+    if (fs::exists(folder) && is_made(options, folder, made_keys)) return outcome_of(folder);
+    const TradeOutcome state = maker.make();
+    if (state.state != TradeState::kFinished) return state;
+    append(keys, start_keys(maker.state()));
+    return make_run(options, folder, keys);
   } catch (const InputErrors& errors) {
     return {TradeState::kFailed, errors.lines.front()};
   } catch (const UserError& error) {

@@ -176,11 +176,22 @@ void mark_front(TradeTable& table) {
   }
 }
 
+namespace {
+
+// To so many digits, never as a power of ten where it is large.
+std::string rounded(double value, int digits) {
+  return std::abs(value) < std::pow(10, digits) ? fmt::format("{:.{}g}", value, digits)
+                                                : fmt::format("{:.0f}", value);
+}
+
+}  // namespace
+
 std::string error_text(const TradeError& error) {
   if (!error.known()) return "-";
   if (error.value == 0 && error.standard_error == 0) return "0";
-  if (error.below()) return fmt::format("< {:.2g}", 2 * error.standard_error);
-  return fmt::format("{:+.2g} +- {:.1g}", error.value, error.standard_error);
+  if (error.below()) return "< " + rounded(2 * error.standard_error, 2);
+  return fmt::format("{}{} +- {}", error.value > 0 ? "+" : "", rounded(error.value, 2),
+                     rounded(error.standard_error, 1));
 }
 
 std::string terminal_text(const TradeTable& table) {

@@ -2,6 +2,7 @@
 #include "scheduler/impact_trial.h"
 
 #include "kernels/laws/damping.h"
+#include "scheduler/setup.h"
 #include "tests/support/small_scene.h"
 
 namespace quern::test {
@@ -61,16 +62,38 @@ TEST(ImpactTrial, TellsThePairOfMaterialsThatIsFurthestOff) {
   EXPECT_NEAR(found.mean, kLeastClampedRestitution, 0.006);
 }
 
-TEST(ImpactTrial, ImpactOverlapIsThatOfTwoOfTheHeaviestAfterAFall) {
-  const Scene scene = [] {
-    Scene s = trial_scene(0.65, 20, Precision::kMixed);
-    s.run.gravity = Vec3(0, -10, 0);
-    return s;
-  }();
+// 1 m/s is typical of a scene without gravity; the step is 200th of the contact at it.
+TEST(ImpactTrial, OfSpringsThatStiffenWhatIsAskedForIsDeliveredAtTheScenesImpacts) {
+  Scene scene = trial_scene(0.65, 200, Precision::kDouble);
+  scene.contact.law = ForceLaw::kHertzMindlin;
+  scene.contact.normal_stiffness = scene.contact.tangential_stiffness = std::nullopt;
+  scene.materials[0].young_modulus = 1e8;
+  scene.materials[0].poisson_ratio = 0.25;
   const std::vector<ParticleSeed> seeds = draw_sizes(scene);
-  // Undamped: m_e v^2 = k d^2 with m_e = m / 2 and v^2 = 2 g 1 m, over the radius.
+  double contact = HUGE_VAL;
+  for (const StepAdvice& a : advise_steps(scene, seeds, 1)) {
+    contact = std::min(contact, a.contact_time);
+  }
+  const auto at = [&](double steps) { return measure_restitution(scene, seeds, contact / steps); };
+  EXPECT_NEAR(at(200).mean, 0.65, 1e-3);  // as in hertz_test.cpp
+  EXPECT_GT(at(5).scatter, 10 * at(50).scatter);
+}
+
+TEST(ImpactTrial, ImpactOverlapIsTheDepthOfAnUndampedImpactOfTwoOfTheHeaviest) {
+  Scene scene = trial_scene(0.65, 20, Precision::kMixed);
+  scene.contact.impact_speed = 3;
+  const std::vector<ParticleSeed> seeds = draw_sizes(scene);
+  // Undamped: m_e v^2 = k d^2 with m_e = m / 2, over the radius.
   const double m = sphere_mass(2 * kDiameter);
-  EXPECT_NEAR(impact_overlap(scene, seeds), std::sqrt(0.5 * m * 20 / 2e7) / kDiameter, 1e-12);
+  EXPECT_NEAR(impact_overlap(scene, seeds) / (std::sqrt(0.5 * m * 9 / 2e7) / kDiameter), 1, 1e-12);
+  // Of Hertz: 2/5 k d^(5/2) = 1/2 m_e v^2, k = 4/3 E* sqrt(R / 2), E* = E / (2 (1 - nu^2)).
+  scene.contact.law = ForceLaw::kHertzMindlin;
+  scene.contact.normal_stiffness = scene.contact.tangential_stiffness = std::nullopt;
+  scene.materials[0].young_modulus = 1e8;
+  scene.materials[0].poisson_ratio = 0.25;
+  const double k = 4.0 / 3 * 1e8 / (2 * (1 - 0.0625)) * std::sqrt(kDiameter / 2);
+  const double deepest = std::pow(2.5 * 0.5 * (m / 2) * 9 / k, 0.4);
+  EXPECT_NEAR(impact_overlap(scene, seeds) / (deepest / kDiameter), 1, 1e-6);
 }
 
 }  // namespace

@@ -93,6 +93,9 @@ TEST(TradeErrors, BelowTwoStandardErrorsABoundIsTold) {
   EXPECT_FALSE(above.below());
   EXPECT_EQ(error_text(above), "-1 +- 0.5");
   EXPECT_DOUBLE_EQ(above.bound(), 1.01);
+  EXPECT_EQ(error_text({"a", "a", "%", 146.2, 12.3}), "+146 +- 12");
+  EXPECT_EQ(error_text({"a", "a", "%", -0.0123, 0.00456}), "-0.012 +- 0.005");
+  EXPECT_EQ(error_text({"a", "a", "%", 1, 60}), "< 120");
   EXPECT_EQ(error_text({"a", "a", "%", NAN, 0.5}), "-");
 }
 
