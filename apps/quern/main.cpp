@@ -19,6 +19,34 @@
 
 namespace {
 
+CLI::App* add_trade(CLI::App& app, quern::TradeOptions& o) {
+  CLI::App* trade = app.add_subcommand("trade", "speed against accuracy, one dial at a time");
+  trade->add_option("scene", o.scene, "SCENE.toml, of a mill")->required();
+  trade->add_option("--out", o.out, "folder for the runs and the table")
+      ->default_str("out/trade/<scene>");
+  trade->add_option("--threads", o.threads, "number of threads (0: all)")
+      ->check(CLI::Range(0, 4096));
+  trade->add_option("--set", o.overrides, "key=value, replaces a value of the scene")->take_all();
+  trade->add_option("--only", o.only, "a dial or setting as --list has it, repeatable")->take_all();
+  trade->add_option("--steady", o.steady, "turns of the steady state")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1e6));
+  trade->add_option("--lead", o.lead, "turns of a setting before the record")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1e6));
+  trade->add_option("--revolutions", o.revolutions, "turns recorded")
+      ->capture_default_str()
+      ->check(CLI::Range(1e-6, 1e6));
+  trade->add_option("--spheres", o.spheres,
+                    "folder of a run whose end is the steady charge of spheres");
+  trade->add_option("--segment", o.segment, "s, a timed stretch of the default")
+      ->capture_default_str()
+      ->check(CLI::Range(1e-3, 1e3));
+  trade->add_flag("--list", o.list, "shows the settings and runs none");
+  trade->add_flag("--table", o.table, "the table of what is finished; runs none");
+  return trade;
+}
+
 int dispatch(int argc, char** argv) {
   CLI::App app{"quern: discrete-element simulation of grinding mills"};
   app.require_subcommand(1);
@@ -79,32 +107,7 @@ int dispatch(int argc, char** argv) {
   bench->add_flag("--json", bench_options.json, "for scripts");
 
   quern::TradeOptions trade_options;
-  CLI::App* trade = app.add_subcommand("trade", "speed against accuracy, one dial at a time");
-  trade->add_option("scene", trade_options.scene, "SCENE.toml, of a mill")->required();
-  trade->add_option("--out", trade_options.out, "folder for the runs and the table")
-      ->default_str("out/trade/<scene>");
-  trade->add_option("--threads", trade_options.threads, "number of threads (0: all)")
-      ->check(CLI::Range(0, 4096));
-  trade->add_option("--set", trade_options.overrides, "key=value, replaces a value of the scene")
-      ->take_all();
-  trade->add_option("--only", trade_options.only, "a dial or setting as --list has it, repeatable")
-      ->take_all();
-  trade->add_option("--steady", trade_options.steady, "turns of the steady state")
-      ->capture_default_str()
-      ->check(CLI::Range(0.0, 1e6));
-  trade->add_option("--lead", trade_options.lead, "turns of a setting before the record")
-      ->capture_default_str()
-      ->check(CLI::Range(0.0, 1e6));
-  trade->add_option("--revolutions", trade_options.revolutions, "turns recorded")
-      ->capture_default_str()
-      ->check(CLI::Range(1e-6, 1e6));
-  trade->add_option("--spheres", trade_options.spheres,
-                    "folder of a run whose end is the steady charge of spheres");
-  trade->add_option("--segment", trade_options.segment, "s, a timed stretch of the default")
-      ->capture_default_str()
-      ->check(CLI::Range(1e-3, 1e3));
-  trade->add_flag("--list", trade_options.list, "shows the settings and runs none");
-  trade->add_flag("--table", trade_options.table, "the table of what is finished; runs none");
+  CLI::App* trade = add_trade(app, trade_options);
 
   quern::ShapeCommand shape_options;
   CLI::App* shape = app.add_subcommand("shape", "what an STL file gives as a polyhedron");
@@ -134,8 +137,7 @@ int dispatch(int argc, char** argv) {
   if (bench->parsed()) return quern::bench_command(bench_options);
   if (trade->parsed()) {
     if (trade_options.out.empty()) {
-      trade_options.out =
-          "out/trade/" + std::filesystem::path(trade_options.scene).stem().string();
+      trade_options.out = "out/trade/" + std::filesystem::path(trade_options.scene).stem().string();
     }
     return quern::trade_command(trade_options);
   }
@@ -151,7 +153,8 @@ int dispatch(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   // For tests: what must not happen in any lane ends the program at the spot.
-  if (std::getenv("QUERN_TRAP_FP") != nullptr) feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
+  if (std::getenv("QUERN_TRAP_FP") != nullptr)
+    feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
   try {
     return dispatch(argc, argv);
   } catch (const quern::InputErrors& errors) {

@@ -54,8 +54,9 @@ std::vector<TradeRow> wanted_rows(const TradeOptions& options, const LoadedScene
 std::string command_text(const TradeOptions& o) {
   std::string text = fmt::format(
       "quern trade {} --threads {} --steady {:g} --lead {:g} "
-      "--revolutions {:g}",
-      o.scene, o.threads, o.steady, o.lead, o.revolutions);
+      "--revolutions {:g} --segment {:g}",
+      o.scene, o.threads, o.steady, o.lead, o.revolutions, o.segment);
+  if (!o.spheres.empty()) text += " --spheres " + o.spheres;
   for (const std::string& key : o.overrides) text += " --set '" + key + "'";
   for (const std::string& name : o.only) text += " --only '" + name + "'";
   return text;

@@ -84,7 +84,8 @@ function pareto(trade) {
   );
 }
 
-const rowHead = (row) => `${row.dial}: ${row.value}${row.front ? " *" : ""}`;
+// In one line.
+const rowHead = (row) => `${row.dial}: ${row.value}${row.front ? " *" : ""}`.replaceAll(" ", "\u00a0");
 
 function errorsTable(trade) {
   const figures = [...figuresOf(trade).values()];
@@ -164,7 +165,7 @@ function numerics(trade) {
       "p",
       { class: "note" },
       "Restitution of head-on collisions of the smallest spheres, of the pair of materials that is furthest off, over all phases of " +
-        "arrival. Overlap at impact: of two of the heaviest particles after a fall through the mill, over their radius. State: what a setting starts from.",
+        "arrival. Overlap at impact: of two of the heaviest particles at the speed of the scene's fastest impacts, over their radius. State: what a setting starts from.",
     ),
   );
 }
