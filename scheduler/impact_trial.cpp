@@ -21,7 +21,7 @@ struct Collider {
 };
 
 // The smallest of each material.
-std::vector<Collider> colliders(const Scene& scene, std::span<const ParticleSeed> particles) {
+std::vector<Collider> colliders(std::span<const ParticleSeed> particles) {
   std::vector<Collider> all;
   for (const ParticleSeed& p : particles) {
     const auto same = [&](const Collider& c) { return c.material == p.material; };
@@ -121,7 +121,7 @@ DeliveredRestitution deliver(const Scene& scene, const Meeting& m, double asked,
 DeliveredRestitution measure_restitution(const Scene& scene,
                                          std::span<const ParticleSeed> particles, double dt) {
   const std::vector<PairValues> laws = resolve_pairs(scene);
-  const std::vector<Collider> all = colliders(scene, particles);
+  const std::vector<Collider> all = colliders(particles);
   DeliveredRestitution worst;
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (std::size_t j = i; j < all.size(); ++j) {
