@@ -37,8 +37,9 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "discrete-element simulation of grinding mills
-Fills a mill with ore and media, turns it, and tells the power, where the energy goes, how the
-charge moves and the liner wears. Spheres and convex polyhedra; the same bits for any number of
-threads and after a restart. Scenes are in /usr/share/quern/scenes.")
+Fills a mill with ore and media, turns it, and tells the power, where the
+energy goes, how the charge moves and the liner wears. Spheres and convex
+polyhedra; the same bits for any number of threads and after a restart.
+Scenes are in /usr/share/quern/scenes.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 include(CPack)
