@@ -322,8 +322,8 @@ class Run {
 // The page is made once all files are closed.
 int start(LoadedScene loaded, const RunOptions& options, const std::string& checkpoint) {
   return_large_blocks();
-  std::signal(SIGINT, on_signal);
-  std::signal(SIGTERM, on_signal);
+  // SIGUSR1: batch systems send it ahead of a time limit.
+  for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) std::signal(signal, on_signal);
   const int code = loaded.scene.run.precision == Precision::kDouble
                        ? Run<double>(std::move(loaded), options, checkpoint).go()
                        : Run<float>(std::move(loaded), options, checkpoint).go();

@@ -465,8 +465,8 @@ class Signals(Case):
         said, _ = process.communicate(timeout=60)
         return process.returncode, said
 
-    def test_sigterm_leaves_a_checkpoint_and_resume_ends_as_a_straight_run(self):
-        for number in (signal.SIGTERM, signal.SIGINT):
+    def test_leave_a_checkpoint_and_resume_ends_as_a_straight_run(self):
+        for number in (signal.SIGTERM, signal.SIGINT, signal.SIGUSR1):
             code, said = self.interrupt(number)
             self.assertEqual(code, 0, said)
             self.assertIn("resume", said)
