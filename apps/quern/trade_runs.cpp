@@ -5,13 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <sstream>
 
 #include "apps/quern/run.h"
 #include "io/file_commit.h"
 #include "io/log.h"
-#include "io/scene_reader.h"
-#include "io/summary.h"
 
 namespace quern {
 
@@ -20,26 +17,9 @@ namespace {
 namespace fs = std::filesystem;
 using Keys = std::vector<std::string>;
 
-// The scene's text without the places of files, which change when folders are moved.
-std::string without_places(const std::string& text) {
-  std::istringstream in(text);
-  std::string out;
-  for (std::string line; std::getline(in, line);) {
-    if (line.starts_with("folder = ") || line.starts_with("start_file = ")) continue;
-    out += line + "\n";
-  }
-  return out;
-}
-
-bool holds_scene(const std::string& folder, const Scene& scene) {
-  const std::string path = folder + "/scene.toml";
-  return fs::exists(path) &&
-         without_places(read_text_file("scene", path)) == without_places(scene_to_toml(scene));
-}
-
 // One run in one folder. What the scene itself forbids (too long a step) is a failure of the
 // setting.
-TradeOutcome make_run(const TradeOptions& options, const std::string& folder, const Keys& keys) {
+RunOutcome make_run(const TradeOptions& options, const std::string& folder, const Keys& keys) {
   RunOptions run;
   run.scene = options.scene;
   run.out = folder;
@@ -50,8 +30,8 @@ TradeOutcome make_run(const TradeOptions& options, const std::string& folder, co
     judge_time_step(loaded);
     const bool same = holds_scene(folder, loaded.scene);
     if (same) {
-      const TradeOutcome there = outcome_of(folder);
-      if (there.state != TradeState::kStopped) return there;
+      const RunOutcome there = outcome_of(folder);
+      if (there.state != RunState::kStopped) return there;
     }
     log_info(fmt::format("\n# {}", folder));
     std::error_code ignored;
@@ -62,7 +42,7 @@ TradeOutcome make_run(const TradeOptions& options, const std::string& folder, co
       run_command(run);
     }
   } catch (const InputErrors& errors) {
-    return {TradeState::kFailed, errors.lines.front()};
+    return {RunState::kFailed, errors.lines.front()};
   }
   return outcome_of(folder);
 }
@@ -112,11 +92,11 @@ class StateMaker {
   const Scene& scene() const { return scene_; }
 
   // Sets `state` to the folder of the state the setting starts from.
-  TradeOutcome make(const LoadedScene& base, std::string& state) {
+  RunOutcome make(const LoadedScene& base, std::string& state) {
     const bool polyhedra =
         std::any_of(scene_.particles.begin(), scene_.particles.end(), has_polyhedra);
-    const TradeOutcome spheres = make_spheres(base, polyhedra, state);
-    if (spheres.state != TradeState::kFinished || !polyhedra) return spheres;
+    const RunOutcome spheres = make_spheres(base, polyhedra, state);
+    if (spheres.state != RunState::kFinished || !polyhedra) return spheres;
     const bool own = own_ != SteadyState::kShared;
     Keys keys = own ? keys_ : options_.overrides;
     append(keys, state_keys(options_, scene_));
@@ -126,7 +106,7 @@ class StateMaker {
   }
 
  private:
-  TradeOutcome make_spheres(const LoadedScene& base, bool polyhedra, std::string& state) {
+  RunOutcome make_spheres(const LoadedScene& base, bool polyhedra, std::string& state) {
     const bool own = own_ == SteadyState::kOwnCharge;
     if (!own && !options_.spheres.empty()) {
       state = options_.spheres;
@@ -148,34 +128,25 @@ class StateMaker {
 
 }  // namespace
 
-TradeOutcome outcome_of(const std::string& folder) {
-  const std::string path = folder + "/summary.json";
-  if (!fs::exists(path)) return {TradeState::kStopped, ""};
-  const SummaryFile summary(path);
-  if (summary.flag("finished")) return {};
-  const std::string error = summary.text("error");
-  return {error.empty() ? TradeState::kStopped : TradeState::kFailed, error};
-}
-
 std::string folder_of_setting(const TradeOptions& options, const std::string& name) {
   return options.out + "/" + name;
 }
 
-TradeOutcome run_setting(const TradeOptions& options, const LoadedScene& base,
+RunOutcome run_setting(const TradeOptions& options, const LoadedScene& base,
                          const TradeSetting& setting) {
   try {
     StateMaker maker(options, setting);
     std::string state;
-    const TradeOutcome made = maker.make(base, state);
-    if (made.state != TradeState::kFinished) return made;
+    const RunOutcome made = maker.make(base, state);
+    if (made.state != RunState::kFinished) return made;
     Keys keys = maker.keys();
     append(keys, record_keys(options, maker.scene()));
     append(keys, start_keys(state));
     return make_run(options, folder_of_setting(options, setting.name), keys);
   } catch (const InputErrors& errors) {
-    return {TradeState::kFailed, errors.lines.front()};
+    return {RunState::kFailed, errors.lines.front()};
   } catch (const UserError& error) {
-    return {TradeState::kFailed, error.what()};
+    return {RunState::kFailed, error.what()};
   }
 }
 

@@ -1,8 +1,9 @@
 // A plot with its title, its legend, its keys and its numbers as CSV; uPlot draws.
 //
 // plot({ title, note, x: { label, unit, log, scale }, y: { label, unit, log, zero }, series: [{ label, x, y,
-// error, spread, colour, dash, points, labels }], marks: [{ at, label }] }). Lines may have places (x) of their own. Errors
-// are whiskers, spreads are bands, labels stand beside their points. On log axes what is not positive is left out.
+// error, spread, colour, dash, points, scatter, exact, labels }], marks: [{ at, label }] }). Lines may have places (x) of
+// their own. Errors are whiskers, spreads are bands, labels stand beside their points, scatter leaves the line away, exact
+// are places for the CSV where those drawn were set apart. On log axes what is not positive is left out.
 import uPlot from "uplot";
 import { download, el } from "./dom.js";
 import { axisPrefix, labelled, number, powerOfTen, tickTexts } from "./format.js";
@@ -113,7 +114,7 @@ function assemble(spec) {
     lines.push({
       label: line.label,
       stroke,
-      width: 1.75,
+      width: line.scatter ? 0 : 1.75,
       dash: line.dash,
       spanGaps: true,
       points: { show: line.points ?? false, size: 7, fill: stroke },
@@ -263,7 +264,7 @@ export function csvOf(spec) {
   ];
   for (const line of spec.series) {
     line.x.forEach((x, k) => {
-      const cells = [x, quote(line.label), line.y[k], line.error?.[k], line.spread?.[k]];
+      const cells = [line.exact?.[k] ?? x, quote(line.label), line.y[k], line.error?.[k], line.spread?.[k]];
       lines.push(cells.map((v) => v ?? "").join(","));
     });
   }
