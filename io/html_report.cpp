@@ -190,9 +190,8 @@ std::string html_page(const PageContents& contents) {
   add_runs(contents.pictures, {}, RunParts::kPicture, page);
   const std::string pictures =
       contents.pictures.empty() ? "" : fmt::format(",\"pictures\":[{}]", page.runs);
-  const std::string data =
-      fmt::format("{{\"title\":{},{}:{}{}}}", json_string(contents.title),
-                  json_string(contents.kind), contents.data, pictures);
+  const std::string data = fmt::format("{{\"title\":{},{}:{}{}}}", json_string(contents.title),
+                                       json_string(contents.kind), contents.data, pictures);
   std::string html = kHead;
   html += fmt::format("<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n",
                       html_text(contents.title), report_style());
@@ -202,8 +201,8 @@ std::string html_page(const PageContents& contents) {
       "</main>\n";
   html += fmt::format("<script type=\"text/plain\" id=\"data\">{}</script>\n", packed(data));
   for (std::size_t k = 0; k < page.blobs.size(); ++k) {
-    html += fmt::format("<script type=\"text/plain\" id=\"blob{}\">{}</script>\n", k,
-                        page.blobs[k]);
+    html +=
+        fmt::format("<script type=\"text/plain\" id=\"blob{}\">{}</script>\n", k, page.blobs[k]);
   }
   html += "<script>";
   html += report_program();

@@ -22,8 +22,9 @@ struct ReportRun {
 // what the page carries, and the program shows what it finds there.
 struct PageContents {
   std::string title, kind, data;
-  std::vector<std::string> blobs;     // packed, for data that refer to them
-  std::vector<ReportRun> pictures = {};  // runs of which the charge in motion is to be seen, no more
+  std::vector<std::string> blobs;  // packed, for data that refer to them
+  std::vector<ReportRun> pictures =
+      {};  // runs of which the charge in motion is to be seen, no more
 };
 std::string html_page(const PageContents& contents);
 

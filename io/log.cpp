@@ -81,7 +81,8 @@ std::string join(const std::vector<Part>& parts) {
 std::string describe_time(const ProgressLine& line) {
   if (line.settling) return fmt::format("settling t {:.3f} s", line.time);
   std::string text = fmt::format("t {:.3f} s", line.time);
-  if (!std::isnan(line.until) && line.until > 0) text += fmt::format(" {:.1f}%", 100 * line.time / line.until);
+  if (!std::isnan(line.until) && line.until > 0)
+    text += fmt::format(" {:.1f}%", 100 * line.time / line.until);
   if (!std::isnan(line.revolutions)) text += fmt::format(" rev {:.2f}", line.revolutions);
   return text;
 }

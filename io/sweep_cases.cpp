@@ -87,9 +87,8 @@ void combine_hypercube(SweepSpec& spec, const SweepRandom& random, std::vector<L
 // "mill.lifters.face_angle" -> "face_angle", unless another factor would be called the same.
 std::string short_key(const SweepSpec& spec, const std::string& key) {
   const auto last = [](const std::string& k) { return k.substr(k.find_last_of('.') + 1); };
-  const auto same = std::count_if(spec.factors.begin(), spec.factors.end(), [&](const auto& f) {
-    return last(f.keys.front()) == last(key);
-  });
+  const auto same = std::count_if(spec.factors.begin(), spec.factors.end(),
+                                  [&](const auto& f) { return last(f.keys.front()) == last(key); });
   return same > 1 ? key : last(key);
 }
 

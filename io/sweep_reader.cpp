@@ -164,9 +164,9 @@ class Reader {
       if (!split_quantity(override_value(*from[k]), low, unit))
         fail(from[k]->place, "'from' must be a number, or a text with a unit");
       else if (!split_quantity(override_value(*to[k]), high, same) || same != unit)
-        fail(to[k]->place,
-             unit.empty() ? "'to' must be a number without a unit, as 'from' is"
-                          : fmt::format("'to' must be in the unit of 'from' ({})", unit));
+        fail(to[k]->place, unit.empty()
+                               ? "'to' must be a number without a unit, as 'from' is"
+                               : fmt::format("'to' must be in the unit of 'from' ({})", unit));
       else if (low == high)
         fail(to[k]->place, "'to' must differ from 'from'");
       factor.from.push_back(low);

@@ -59,10 +59,11 @@ void print_impacts(const LoadedScene& loaded, const std::vector<StepAdvice>& all
       [](const StepAdvice& a, const StepAdvice& b) { return a.rayleigh_time < b.rayleigh_time; });
   log_info(fmt::format("  of impacts at {:.3g} m/s ('contact.impact_speed')",
                        typical_speed(loaded.scene)));
-  log_info(fmt::format("Rayleigh     {:.4g} s of {}; the step is {:.3g} of it ({:g} refused, {:g} "
-                       "warned, {:g} advised)",
-                       finest.rayleigh_time, finest.a, loaded.dt / finest.rayleigh_time,
-                       kRefusedRayleigh, kWarnedRayleigh, kAdvisedRayleigh));
+  log_info(
+      fmt::format("Rayleigh     {:.4g} s of {}; the step is {:.3g} of it ({:g} refused, {:g} "
+                  "warned, {:g} advised)",
+                  finest.rayleigh_time, finest.a, loaded.dt / finest.rayleigh_time,
+                  kRefusedRayleigh, kWarnedRayleigh, kAdvisedRayleigh));
 }
 
 void print_steps(const LoadedScene& loaded) {
@@ -117,10 +118,10 @@ void print_cost(LoadedScene& loaded, int threads) {
                        static_cast<double>(peak_memory()) / rate->particles));
   const std::string text =
       rate->per_second > 0
-          ? fmt::format("{:.3g} particle steps per second measured on the loose charge, {} threads; "
-                        "about {} with the charge settled",
-                        rate->per_second, rate->threads,
-                        format_clock(rate->settled_seconds(rate->steps)))
+          ? fmt::format(
+                "{:.3g} particle steps per second measured on the loose charge, {} threads; "
+                "about {} with the charge settled",
+                rate->per_second, rate->threads, format_clock(rate->settled_seconds(rate->steps)))
           : "not measured: particles overlap where they are placed";
   log_info(fmt::format("time         {:.0f} steps; {}", rate->steps, text));
 }

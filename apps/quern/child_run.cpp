@@ -44,8 +44,7 @@ double read_number(int from) {
 
 }  // namespace
 
-std::optional<ChildRun> ChildRun::start(const std::string& folder,
-                                        const std::vector<std::string>& arguments) {
+std::optional<ChildRun> ChildRun::start(const std::string& folder, const Arguments& arguments) {
   make_folder("results", folder);
   const int log = open(log_of(folder).c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   if (log < 0)
@@ -54,8 +53,12 @@ std::optional<ChildRun> ChildRun::start(const std::string& folder,
     close(log);
     return std::nullopt;
   }
-  std::vector<std::string> texts = {"quern"};
-  texts.insert(texts.end(), arguments.begin(), arguments.end());
+  std::vector<std::string> texts = arguments();
+  if (texts.empty()) {
+    close(log);
+    return std::nullopt;
+  }
+  texts.insert(texts.begin(), "quern");
   std::vector<char*> pointers;
   for (std::string& text : texts) pointers.push_back(text.data());
   pointers.push_back(nullptr);
@@ -72,7 +75,8 @@ std::optional<ChildRun::End> ChildRun::poll() const {
   const pid_t ended = waitpid(process_, &status, WNOHANG);
   if (ended == 0 || (ended < 0 && errno == EINTR)) return std::nullopt;
   if (ended < 0) return End{-1, strerror(errno)};
-  if (WIFEXITED(status)) return End{WEXITSTATUS(status), fmt::format("exit code {}", WEXITSTATUS(status))};
+  if (WIFEXITED(status))
+    return End{WEXITSTATUS(status), fmt::format("exit code {}", WEXITSTATUS(status))};
   return End{-1, fmt::format("signal {}", WTERMSIG(status))};
 }
 
@@ -106,7 +110,8 @@ std::vector<double> in_processes(int copies, const std::function<double()>& work
       } catch (...) {  // what is wrong with the scene its run will tell
         value = 0;
       }
-      const bool told = write(ends[1], &value, sizeof(value)) == static_cast<ssize_t>(sizeof(value));
+      const bool told =
+          write(ends[1], &value, sizeof(value)) == static_cast<ssize_t>(sizeof(value));
       _exit(told ? 0 : 1);
     }
     close(ends[1]);

@@ -17,9 +17,10 @@ namespace quern {
 
 class ChildRun {
  public:
-  // `quern ARGUMENTS`; nothing if another process works in the folder. SystemError.
-  static std::optional<ChildRun> start(const std::string& folder,
-                                       const std::vector<std::string>& arguments);
+  // `quern ARGUMENTS`, which are asked for once the folder is locked; nothing if another process
+  // works in it, or there are none. SystemError.
+  using Arguments = std::function<std::vector<std::string>()>;
+  static std::optional<ChildRun> start(const std::string& folder, const Arguments& arguments);
 
   struct End {
     int code = 0;     // of exit; -1: ended by a signal

@@ -114,7 +114,8 @@ double expected_memory(const Scene& scene) {
   return kProgram + of_sphere * count.spheres + kOfPolyhedron * count.polyhedra;
 }
 
-LoadedScene load_scene(const std::string& path, const std::vector<std::string>& overrides, Say warn) {
+LoadedScene load_scene(const std::string& path, const std::vector<std::string>& overrides,
+                       Say warn) {
   return finish(read_scene(path, overrides), warn);
 }
 
@@ -150,9 +151,9 @@ void judge_rayleigh(const LoadedScene& loaded, const std::vector<StepAdvice>& al
       fmt::format("'run.time_step' {:.3g} s is {:.2g} of the Rayleigh time of {} ({:.3g} s)",
                   loaded.dt, share, least->a, least->rayleigh_time);
   if (share > kRefusedRayleigh) {
-    throw InputErrors{{fmt::format("error: {}; {:g} of it is allowed ({:.3g} s), {:g} advised", what,
-                                   kRefusedRayleigh, kRefusedRayleigh * least->rayleigh_time,
-                                   kAdvisedRayleigh)}};
+    throw InputErrors{
+        {fmt::format("error: {}; {:g} of it is allowed ({:.3g} s), {:g} advised", what,
+                     kRefusedRayleigh, kRefusedRayleigh * least->rayleigh_time, kAdvisedRayleigh)}};
   }
   warn(fmt::format("{}; {:g} is advised for accuracy", what, kAdvisedRayleigh));
 }

@@ -26,8 +26,8 @@ struct LoadedScene {
   double dt = 0;                                   // s
 };
 
-// What a run of the scene will take at its peak (B), records and report page included. Mills and beds
-// of 10 thousand to 400 thousand particles took 0.8 to 1.0 of what is for particles.
+// What a run of the scene will take at its peak (B), records and report page included. Mills and
+// beds of 10 thousand to 400 thousand particles took 0.8 to 1.0 of what is for particles.
 double expected_memory(const Scene& scene);
 
 using Say = void (*)(std::string_view);  // where news go

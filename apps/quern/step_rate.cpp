@@ -37,8 +37,7 @@ bool place_all(const Scene& scene, SceneGeometry& geometry, std::vector<Particle
     if (!inserted_later(scene)) throw;
     return false;
   }
-  say(
-      fmt::format("placing      {:.1f} s, solid fraction {:.3f}{}", fill.seconds, fill.fraction,
+  say(fmt::format("placing      {:.1f} s, solid fraction {:.3f}{}", fill.seconds, fill.fraction,
                   inserted_later(scene)
                       ? fmt::format(" (at once, to measure; in the run they rain in over {:g} s)",
                                     scene.fill.over)

@@ -15,10 +15,9 @@ namespace quern {
 namespace {
 
 void print_cases(const SweepPlan& plan) {
-  const auto done = static_cast<std::size_t>(
-      std::count_if(plan.cases.begin(), plan.cases.end(), [](const SweepRun& run) {
-        return outcome_of(run).state == RunState::kFinished;
-      }));
+  const auto done = static_cast<std::size_t>(std::count_if(
+      plan.cases.begin(), plan.cases.end(),
+      [](const SweepRun& run) { return outcome_of(run).state == RunState::kFinished; }));
   log_info(fmt::format("cases        {}, {} of them finished; {} fillings", plan.cases.size(), done,
                        plan.fillings.size()));
 }
@@ -91,8 +90,8 @@ int sweep_command(const SweepOptions& options) {
   make_folder("results", plan.out);
   const std::vector<std::size_t> cases = wanted_cases(plan, options);
   if (options.only == 0) print_cases(plan);
-  const auto left = static_cast<std::size_t>(
-      std::count_if(cases.begin(), cases.end(), [&](std::size_t k) {
+  const auto left =
+      static_cast<std::size_t>(std::count_if(cases.begin(), cases.end(), [&](std::size_t k) {
         return outcome_of(plan.cases[k]).state == RunState::kStopped;
       }));
   SweepSpeed speed;

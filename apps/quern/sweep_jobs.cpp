@@ -29,10 +29,10 @@ double now() {
 struct Job {
   enum class State { kWaiting, kRunning, kFinished, kFailed };
   std::string name, folder;
-  int filling = -1;         // row of the jobs; -1: needs none
-  std::size_t row = 0;      // of the plan's cases or fillings
+  int filling = -1;     // row of the jobs; -1: needs none
+  std::size_t row = 0;  // of the plan's cases or fillings
   bool is_filling = false;
-  double work = 0;          // particle steps
+  double work = 0;  // particle steps
   State state = State::kWaiting;
   int attempts = 0;
   std::optional<ChildRun> child = {};
@@ -119,18 +119,16 @@ class Jobs {
     return running + waiting > 0;
   }
 
-  // False: not now, another process works in the folder; or it has just finished there.
+  // False: not now, another process works in the folder; or it has finished there.
   bool start(Job& job) {
-    const int threads = width_.threads;
-    const RunOutcome there = outcome(job);
-    if (there.state == RunState::kFinished) {
-      job.state = Job::State::kFinished;
-      return false;
-    }
-    const std::vector<std::string> command =
-        job.is_filling ? command_of(plan_.fillings[job.row], threads)
-                       : command_of(plan_, plan_.cases[job.row], threads);
-    job.child = ChildRun::start(job.folder, command);
+    job.child = ChildRun::start(job.folder, [&]() -> std::vector<std::string> {
+      if (outcome(job).state == RunState::kFinished) {
+        job.state = Job::State::kFinished;
+        return {};
+      }
+      return job.is_filling ? command_of(plan_.fillings[job.row], width_.threads)
+                            : command_of(plan_, plan_.cases[job.row], width_.threads);
+    });
     if (!job.child) return false;
     job.state = Job::State::kRunning;
     ++job.attempts;
@@ -146,8 +144,9 @@ class Jobs {
       job.state = Job::State::kFinished;
       return;
     }
-    const std::string reason =
-        there.reason.empty() ? fmt::format("{}; see {}/log.txt", end->how, job.folder) : there.reason;
+    const std::string reason = there.reason.empty()
+                                   ? fmt::format("{}; see {}/log.txt", end->how, job.folder)
+                                   : there.reason;
     job.state = Job::State::kWaiting;
     if (job.attempts >= kAttempts) return fail(job, reason);
     table_.clear();

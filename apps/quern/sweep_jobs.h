@@ -17,7 +17,7 @@ struct SweepWidth {
 
 struct JobsResult {
   std::size_t finished = 0, failed = 0;
-  bool stopped = false;                // by SIGINT or SIGTERM: all have written checkpoints
+  bool stopped = false;  // by SIGINT or SIGTERM: all have written checkpoints
 };
 
 // `cases`: rows of plan.cases. `seconds_per_step` (wall clock, a particle and step of one process)

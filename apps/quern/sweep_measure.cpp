@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kTime = 1;  // s, of a width
+constexpr double kTime = 1;     // s, of a width
 constexpr double kSpare = 0.9;  // of the memory
 
 const SweepRun& middle(const SweepPlan& plan) { return plan.cases[plan.cases.size() / 2]; }
@@ -105,8 +105,9 @@ double measure_disk(const SweepPlan& plan) {
   const std::string folder = plan.out + "/measure", file = folder + ".toml";
   make_folder("results", plan.out);
   write_text_file("scene", file, scene_to_toml(scene), Durability::kKill);
-  std::optional<ChildRun> child =
-      ChildRun::start(folder, {"run", file, "--out", folder, "--threads", "1"});
+  std::optional<ChildRun> child = ChildRun::start(folder, [&] {
+    return std::vector<std::string>{"run", file, "--out", folder, "--threads", "1"};
+  });
   while (child && !child->poll()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
   double bytes = bytes_below(folder);
   if (wanted > 0 && fs::exists(folder + "/frames")) {

@@ -1,4 +1,5 @@
-// What a sweep will cost: time from a short stretch of its middle case, disk from a few steps of it.
+// What a sweep will cost: time from a short stretch of its middle case, disk from a few steps of
+// it.
 #pragma once
 
 #include "apps/quern/sweep_jobs.h"
@@ -15,7 +16,8 @@ struct SweepSpeed {
 std::vector<SweepWidth> widths_of(const SweepPlan& plan, std::size_t cases);
 
 // The speeds of these widths, a second of each, in the order given.
-std::vector<SweepSpeed> measure_widths(const SweepPlan& plan, const std::vector<SweepWidth>& widths);
+std::vector<SweepSpeed> measure_widths(const SweepPlan& plan,
+                                       const std::vector<SweepWidth>& widths);
 
 // Seconds of one process for a particle step of the settled charge.
 double seconds_per_step(const SweepSpeed& speed);

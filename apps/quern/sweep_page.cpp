@@ -1,5 +1,5 @@
-// What the page of a sweep carries (io/report/src/sections/sweep.js shows it): the table as JSON, and
-// the pictures of the mills with the least and the most of each response.
+// What the page of a sweep carries (io/report/src/sections/sweep.js shows it): the table as JSON,
+// and the pictures of the mills with the least and the most of each response.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -72,9 +72,9 @@ std::string factors_json(const SweepPlan& plan, const SweepTable& table) {
   std::size_t row = 0;
   return list_json(table.factors, [&](const SweepColumn& c) {
     return fmt::format("{{\"key\":{},\"keys\":{},\"unit\":{},\"texts\":{},\"numbers\":{}}}",
-                       json_string(c.key),
-                       list_json(plan.spec.factors[row++].keys, json_string), json_string(c.unit),
-                       list_json(c.texts, json_string), list_json(c.numbers, json_number));
+                       json_string(c.key), list_json(plan.spec.factors[row++].keys, json_string),
+                       json_string(c.unit), list_json(c.texts, json_string),
+                       list_json(c.numbers, json_number));
   });
 }
 

@@ -25,11 +25,11 @@ struct SweepFilling {
 };
 
 struct SweepRun {
-  SweepCase place;      // in the design
+  SweepCase place;  // in the design
   std::string folder;
-  Scene scene;          // as its folder is to have it
-  std::vector<std::string> set;  // all of it, the start too
-  int filling = -1;              // row of SweepPlan::fillings; -1: none
+  Scene scene;                                  // as its folder is to have it
+  std::vector<std::string> set;                 // all of it, the start too
+  int filling = -1;                             // row of SweepPlan::fillings; -1: none
   double steps = 0, particles = 0, memory = 0;  // of the run; B
 };
 
@@ -46,7 +46,7 @@ SweepPlan plan_sweep(const std::string& file, const std::string& out);
 RunOutcome outcome_of(const SweepFilling& filling);
 RunOutcome outcome_of(const SweepRun& run);
 
-// The command line that makes it, or goes on with it.
+// The command line that makes it, or goes on with it; the folder is locked.
 std::vector<std::string> command_of(const SweepFilling& filling, int threads);
 std::vector<std::string> command_of(const SweepPlan& plan, const SweepRun& run, int threads);
 

@@ -29,8 +29,8 @@ std::vector<std::string> usual_names(const std::set<std::string>& there) {
   }
   for (const std::string& name : there) {
     const bool wear = name.starts_with("wear_") && name.ends_with("_m3");
-    const bool kind = name.starts_with("power_") && name.ends_with("_W") &&
-                      name.find('-') != std::string::npos;
+    const bool kind =
+        name.starts_with("power_") && name.ends_with("_W") && name.find('-') != std::string::npos;
     if (wear || kind) names.push_back(name);
   }
   return names;
@@ -78,8 +78,8 @@ std::string csv_text(const SweepPlan& plan, const SweepTable& table) {
     const SweepCase& place = plan.cases[k].place;
     text += fmt::format("{},{},{}", csv_field(place.name), csv_field(table.status[k]), place.seed);
     for (const SweepColumn& column : table.factors) {
-      text += "," + (column.numbers.empty() ? csv_field(column.texts[k])
-                                            : csv_number(column.numbers[k]));
+      text += "," +
+              (column.numbers.empty() ? csv_field(column.texts[k]) : csv_number(column.numbers[k]));
     }
     for (const SweepResponse& r : table.responses) {
       text += "," + csv_number(r.value[k]) + "," + csv_number(r.error[k]);
@@ -132,8 +132,8 @@ void write_h5(const SweepPlan& plan, const SweepTable& table) {
 
 std::string unit_of_response(const std::string& name) {
   constexpr std::pair<const char*, const char*> kUnits[] = {
-      {"_W", "W"}, {"_deg", "deg"}, {"_m3", "m^3"}, {"_J", "J"},
-      {"_Nm", "N m"}, {"_kg", "kg"}, {"_m", "m"}, {"_s", "s"}};
+      {"_W", "W"},    {"_deg", "deg"}, {"_m3", "m^3"}, {"_J", "J"},
+      {"_Nm", "N m"}, {"_kg", "kg"},   {"_m", "m"},    {"_s", "s"}};
   for (const auto& [end, unit] : kUnits) {
     if (name.ends_with(end)) return unit;
   }
@@ -149,7 +149,7 @@ SweepTable table_of(const SweepPlan& plan) {
   for (const SweepRun& run : plan.cases) {
     const RunOutcome outcome = outcome_of(run);
     const bool finished = outcome.state == RunState::kFinished;
-    table.status.push_back(finished                               ? "finished"
+    table.status.push_back(finished                             ? "finished"
                            : outcome.state == RunState::kFailed ? outcome.reason
                                                                 : "not finished");
     summaries.push_back(finished ? SummaryFile(run.folder + "/summary.json") : SummaryFile());

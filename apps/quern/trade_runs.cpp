@@ -133,7 +133,7 @@ std::string folder_of_setting(const TradeOptions& options, const std::string& na
 }
 
 RunOutcome run_setting(const TradeOptions& options, const LoadedScene& base,
-                         const TradeSetting& setting) {
+                       const TradeSetting& setting) {
   try {
     StateMaker maker(options, setting);
     std::string state;

@@ -24,15 +24,15 @@ struct TradeOptions {
   int threads = 0;
   std::vector<std::string> overrides;
   double steady = 1, lead = 0.25, revolutions = 1;  // turns of a state; not recorded; recorded
-  std::string spheres;            // folder of a run to take as steady_spheres; empty: made
-  std::vector<std::string> only;  // dials or settings; empty: all
-  double segment = 1;             // s of wall clock, of a timed stretch of the default
+  std::string spheres;               // folder of a run to take as steady_spheres; empty: made
+  std::vector<std::string> only;     // dials or settings; empty: all
+  double segment = 1;                // s of wall clock, of a timed stretch of the default
   bool list = false, table = false;  // run nothing: show the settings; the table of what is there
 };
 
 // Makes the setting's run, and the states it needs, unless they are there.
 RunOutcome run_setting(const TradeOptions& options, const LoadedScene& base,
-                         const TradeSetting& setting);
+                       const TradeSetting& setting);
 
 std::string folder_of_setting(const TradeOptions& options, const std::string& name);
 

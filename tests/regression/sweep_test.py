@@ -80,7 +80,7 @@ class Sweep(unittest.TestCase):
         self.write(HEAD, '[[factors]]\nkey = "mill.rotation"\nvalues = ["20 rpm", "30 rmp"]\n',
                    '[[factors]]\nkey = "mill.lifters.hight"\nvalues = ["10 mm"]\n')
         errors = self.sweep(code=2).stderr
-        self.assertIn(f"{self.file}:5:22: error: mill.rotation=30 rmp: 'rotation': unit 'rmp'", errors)
+        self.assertIn(f"{self.file}:5:21: error: mill.rotation=30 rmp: 'rotation': unit 'rmp'", errors)
         self.assertIn(f"{self.file}:8:11: error: mill.lifters.hight=10 mm: unknown key 'hight' - "
                       "did you mean 'height'?", errors)
         self.assertFalse(self.out.exists())

@@ -1,19 +1,19 @@
 // Sweeps: what the reader takes and refuses, and which cases a design makes.
-#include "io/sweep_reader.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "io/sweep_reader.h"
 #include "scheduler/random.h"
 
 namespace quern {
 namespace {
 
 const std::string kHead = "format = 1\nscene = \"lab.toml\"\n";
-const std::string kSpeed = "[[factors]]\nkey = \"mill.rotation\"\nvalues = [\"20 rpm\", \"30 rpm\"]\n";
+const std::string kSpeed =
+    "[[factors]]\nkey = \"mill.rotation\"\nvalues = [\"20 rpm\", \"30 rpm\"]\n";
 
 SweepSpec good(const std::string& text) {
   SweepResult result = parse_sweep(text, "/s/sweep.toml");
@@ -79,10 +79,11 @@ TEST(SweepReader, SaysWhereAndWhatIsWrong) {
 }
 
 TEST(SweepReader, TakesTextsAsOneTypesThemAfterSet) {
-  const SweepSpec spec = good(kHead +
-                              "[set]\nrun.duration = \"10 s\"\n\"run.title\" = \"true\"\n"
-                              "contact.sliding_friction = 0.25\n[[factors]]\nkey = \"particles.a.sizes\"\n"
-                              "values = [[{ from = \"1 mm\", count = 3 }]]\n");
+  const SweepSpec spec =
+      good(kHead +
+           "[set]\nrun.duration = \"10 s\"\n\"run.title\" = \"true\"\n"
+           "contact.sliding_friction = 0.25\n[[factors]]\nkey = \"particles.a.sizes\"\n"
+           "values = [[{ from = \"1 mm\", count = 3 }]]\n");
   EXPECT_EQ(spec.scene, "/s/lab.toml");
   EXPECT_EQ(spec.set, (std::vector<std::string>{"run.duration=10 s", "run.title=\"true\"",
                                                 "contact.sliding_friction=0.25"}));
@@ -114,11 +115,12 @@ TEST(SweepCases, OfAListTakeTheValuesOfAllFactorsInStep) {
   EXPECT_EQ(cases[1].set, (std::vector<std::string>{"mill.rotation=30 rpm", "a.height=2 mm"}));
 }
 
-const std::string kCube = kHead +
-                          "design = \"latin-hypercube\"\nsamples = 20\n"
-                          "[[factors]]\nkey = \"mill.rotation\"\nfrom = \"10 rpm\"\nto = \"60 rpm\"\n"
-                          "[[factors]]\nkey = \"p.count\"\nfrom = 1\nto = 10\n" +
-                          "[[factors]]\nkey = \"mill.ends\"\nvalues = [\"walls\", \"open\"]\n";
+const std::string kCube =
+    kHead +
+    "design = \"latin-hypercube\"\nsamples = 20\n"
+    "[[factors]]\nkey = \"mill.rotation\"\nfrom = \"10 rpm\"\nto = \"60 rpm\"\n"
+    "[[factors]]\nkey = \"p.count\"\nfrom = 1\nto = 10\n" +
+    "[[factors]]\nkey = \"mill.ends\"\nvalues = [\"walls\", \"open\"]\n";
 
 TEST(SweepCases, OfAHypercubeFillEveryPartOfEveryRangeOnce) {
   SweepSpec spec = good(kCube);
