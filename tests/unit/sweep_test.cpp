@@ -34,7 +34,7 @@ TEST(SweepReader, SaysWhereAndWhatIsWrong) {
   const BadSweep kBad[] = {
       {"scene = \"a.toml\"\nformat = 1\nfactor = 1\n[[factors]]\nkey = \"a\"\nvalues = [1]\n",
        "s.toml:3:1: error: unknown key 'factor' - did you mean 'factors'?"},
-      {"format = 1\n[[factors]]\nkey = \"a\"\nvalues = [1]\n", "'scene' is missing"},
+      {"format = 1\n[[factors]]\nkey = \"a\"\nvalues = [1]\n", "s.toml:1:1: error: the file needs 'scene' (the base scene)"},
       {"format = 2\nscene = \"a\"\n[[factors]]\nkey = \"a\"\nvalues = [1]\n",
        "s.toml:1:10: error: 'format' must be 1"},
       {"format = 1\nscene = \"a\"\ndesign = \"gird\"\n[[factors]]\nkey = \"a\"\nvalues = [1]\n",
@@ -66,7 +66,7 @@ TEST(SweepReader, SaysWhereAndWhatIsWrong) {
       {"format = 1\nscene = \"a\"\nreplicates = 2\n[[factors]]\nkey = \"run.seed\"\nvalues = [1]\n",
        "'run.seed' is what replicates vary"},
       {"format = 1\nscene = \"a\"\nreplicates = 0\n[[factors]]\nkey = \"a\"\nvalues = [1]\n",
-       "s.toml:3:14: error: 'replicates' must be greater than 0"},
+       "s.toml:3:14: error: 'replicates': 0 is not allowed (must be greater than 0)"},
       {"format = 1\nscene = \"a\"\nreplicates = 100001\n[[factors]]\nkey = \"a\"\nvalues = [1]\n",
        "cases; at most 100000 are allowed"},
   };
