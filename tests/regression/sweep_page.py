@@ -83,7 +83,10 @@ class SweepPage(unittest.TestCase):
         for value in options:
             self.choose("ends", 0, value)
             seen.add(tuple(BROWSER.evaluate(names)))
-            self.assertEqual(2, BROWSER.evaluate("document.querySelectorAll('#ends canvas').length"))
+            BROWSER.evaluate("""new Promise((done, fail) => {
+                setTimeout(() => fail(new Error("no pictures")), 60000);
+                const look = () => document.querySelectorAll("#ends canvas").length === 2 ? done() : setTimeout(look, 50);
+                look(); })""")
         self.assertGreater(len(seen), 1)
 
     def test_keys_and_links(self):

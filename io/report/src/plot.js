@@ -229,6 +229,21 @@ function rangeOfPlaces(spec) {
   return spec.x.log ? range({ log: true }) : even;
 }
 
+// Whiskers are part of what is to be seen.
+function rangeOfValues(spec) {
+  const plain = range(spec.y);
+  if (spec.y.log) return plain;
+  const ends = spec.series.flatMap((line) =>
+    (line.error ?? []).flatMap((e, k) => {
+      const known = usable(line.y[k], false) !== null && usable(e, false) !== null;
+      return known ? [line.y[k] - e, line.y[k] + e] : [];
+    }),
+  );
+  const [least, most] = [Math.min(...ends), Math.max(...ends)];
+  return (u, low, high) =>
+    low === null || ends.length === 0 ? plain(u, low, high) : plain(u, Math.min(low, least), Math.max(high, most));
+}
+
 function range(spec) {
   if (spec.log) return (_, low, high) => (low > 0 ? uPlot.rangeLog(low, high, 10, false) : [1, 10]);
   return (_, low, high) => {
@@ -362,7 +377,7 @@ export function plot(fresh) {
         ...size(),
         scales: {
           x: { time: false, distr: spec.x.log ? 3 : 1, range: rangeOfPlaces(spec) },
-          y: { distr: spec.y.log ? 3 : 1, range: range(spec.y) },
+          y: { distr: spec.y.log ? 3 : 1, range: rangeOfValues(shown) },
         },
         axes: [axis(spec.x, "x", (p) => p.width / 60), axis(shown.y, "y", (p) => p.height / 30)],
         series: lines,

@@ -9,7 +9,7 @@ import { axesOf, axisOf, known } from "./sweep_model.js";
 const HEIGHT = 300,
   TOP = 46,
   BOTTOM = 24,
-  STEP = 104; // px at least between axes
+  STEP = 132; // px at least between axes
 
 function rangeOf(values) {
   const all = values.filter(known);
