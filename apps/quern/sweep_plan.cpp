@@ -63,6 +63,20 @@ std::string placed(const SweepSpec& spec, const std::string& line) {
   return line;
 }
 
+std::vector<std::string> placed(const SweepSpec& spec, std::vector<std::string> lines) {
+  for (std::string& line : lines) line = placed(spec, line);
+  return lines;
+}
+
+// run.seed of the scene as the sweep sets it. Tells the scene's warnings and mistakes, once.
+std::uint64_t base_seed(const SweepSpec& spec) {
+  try {
+    return load_scene(spec.scene, spec.set).scene.run.seed;
+  } catch (const InputErrors& problems) {
+    throw InputErrors{placed(spec, problems.lines)};
+  }
+}
+
 class Planner {
  public:
   Planner(SweepPlan& plan) : plan_(plan) {}
@@ -81,8 +95,7 @@ class Planner {
       run.scene = std::move(loaded.scene);
       if (settles(run.scene)) start_from_filling(run);
     } catch (const InputErrors& problems) {
-      for (const std::string& line : problems.lines) {
-        const std::string text = placed(plan_.spec, line);
+      for (const std::string& text : placed(plan_.spec, problems.lines)) {
         if (std::find(errors_.begin(), errors_.end(), text) == errors_.end())
           errors_.push_back(text);
       }
@@ -122,16 +135,10 @@ SweepPlan plan_sweep(const std::string& file, const std::string& out) {
   SweepPlan plan;
   plan.spec = std::move(read.spec);
   plan.out = fs::absolute(out).lexically_normal().string();
-  const LoadedScene base = load_scene(plan.spec.scene, {});  // its own mistakes, once
   const auto random = [&](std::size_t factor, std::size_t number) {
     return design_random(plan.spec.seed, factor, number);
   };
-  std::uint64_t seed = base.scene.run.seed;
-  for (const std::string& set : plan.spec.set) {
-    constexpr std::string_view kSeed = "run.seed=";
-    if (set.starts_with(kSeed)) seed = std::stoull(set.substr(kSeed.size()));
-  }
-  const std::vector<SweepCase> cases = sweep_cases(plan.spec, seed, random);
+  const std::vector<SweepCase> cases = sweep_cases(plan.spec, base_seed(plan.spec), random);
   Planner planner(plan);
   for (const SweepCase& place : cases) planner.add(place);
   if (!planner.errors().empty()) throw InputErrors{planner.errors()};
