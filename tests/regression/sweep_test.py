@@ -68,7 +68,7 @@ class Sweep(unittest.TestCase):
 
     def sweep(self, *more, code=0, out=None):
         result = subprocess.run(self.command(*more, out=out), capture_output=True, text=True,
-                                timeout=100, check=False)
+                                timeout=250, check=False)
         self.assertEqual(code, result.returncode, result.stdout + result.stderr)
         return result
 
@@ -150,7 +150,7 @@ class Sweep(unittest.TestCase):
                     victim = pid
             time.sleep(0.005)
         os.kill(victim, signal.SIGKILL)
-        errors = process.communicate(timeout=100)[1]
+        errors = process.communicate(timeout=250)[1]
         self.assertEqual(0, process.returncode, errors)
         self.assertIn("rotation_30rpm: signal 9; see ", errors)
         self.assertEqual(["finished"] * 3, [row["status"] for row in self.rows()])
@@ -165,7 +165,7 @@ class Sweep(unittest.TestCase):
                 return kills
             except subprocess.TimeoutExpired:
                 process.send_signal(number)
-                process.wait(timeout=100)
+                process.wait(timeout=250)
             if number != signal.SIGKILL:
                 self.assertEqual(0, process.returncode)
                 self.assertEqual([], alive(str(self.out)), "runs outlive a sweep that was stopped")
