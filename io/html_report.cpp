@@ -123,8 +123,11 @@ struct Page {
   std::string title;  // of the first scene
 };
 
-void add_run(const ReportRun& run, const ViewBudget& budget, Page& page) {
+enum class RunParts { kAll, kPicture };
+
+void add_run(const ReportRun& run, const ViewBudget& budget, RunParts parts, Page& page) {
   RunTables tables = read_run_tables(run.folder);
+  if (parts == RunParts::kPicture) tables.arrays = tables.texts = "{}";
   const SceneResult scene =
       parse_scene(tables.scene, "scene", run.folder, {}, StartFile::kReadBefore);
   RunView view;
@@ -152,6 +155,14 @@ void add_run(const ReportRun& run, const ViewBudget& budget, Page& page) {
       tables.arrays, tables.texts, view.json);
 }
 
+// `budget`: of all of them.
+void add_runs(const std::vector<ReportRun>& runs, ViewBudget budget, RunParts parts, Page& page) {
+  if (runs.empty()) return;
+  budget.bytes /= runs.size();
+  budget.most_particles = std::max<std::size_t>(1, budget.most_particles / runs.size());
+  for (const ReportRun& run : runs) add_run(run, budget, parts, page);
+}
+
 std::string title_of(const std::vector<ReportRun>& runs, const ReportOptions& options,
                      const Page& page) {
   if (!options.title.empty()) return options.title;
@@ -174,8 +185,13 @@ constexpr const char* kHead = R"(<!DOCTYPE html>
 }  // namespace
 
 std::string html_page(const PageContents& contents) {
-  const std::string data = fmt::format("{{\"title\":{},{}:{}}}", json_string(contents.title),
-                                       json_string(contents.kind), contents.data);
+  Page page;
+  page.blobs = contents.blobs;
+  add_runs(contents.pictures, {}, RunParts::kPicture, page);
+  const std::string pictures =
+      contents.pictures.empty() ? "" : fmt::format(",\"pictures\":[{}]", page.runs);
+  const std::string data = fmt::format("{{\"title\":{},{}:{}{}}}", json_string(contents.title),
+                                       json_string(contents.kind), contents.data, pictures);
   std::string html = kHead;
   html += fmt::format("<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n",
                       html_text(contents.title), report_style());
@@ -184,9 +200,9 @@ std::string html_page(const PageContents& contents) {
       "<noscript><p>This page draws its plots with JavaScript, which is off.</p></noscript>"
       "</main>\n";
   html += fmt::format("<script type=\"text/plain\" id=\"data\">{}</script>\n", packed(data));
-  for (std::size_t k = 0; k < contents.blobs.size(); ++k) {
-    html += fmt::format("<script type=\"text/plain\" id=\"blob{}\">{}</script>\n", k,
-                        contents.blobs[k]);
+  for (std::size_t k = 0; k < page.blobs.size(); ++k) {
+    html +=
+        fmt::format("<script type=\"text/plain\" id=\"blob{}\">{}</script>\n", k, page.blobs[k]);
   }
   html += "<script>";
   html += report_program();
@@ -196,11 +212,8 @@ std::string html_page(const PageContents& contents) {
 
 std::string html_report(const std::vector<ReportRun>& runs, const ReportOptions& options) {
   QUERN_CHECK(!runs.empty());
-  ViewBudget budget = options.view;
-  budget.bytes /= runs.size();
-  budget.most_particles = std::max<std::size_t>(1, budget.most_particles / runs.size());
   Page page;
-  for (const ReportRun& run : runs) add_run(run, budget, page);
+  add_runs(runs, options.view, RunParts::kAll, page);
   return html_page(
       {title_of(runs, options, page), "runs", "[" + page.runs + "]", std::move(page.blobs)});
 }

@@ -13,18 +13,20 @@
 
 namespace quern {
 
+struct ReportRun {
+  std::string folder;
+  std::string name;  // how the page calls it; empty: the folder's own name
+};
+
 // A page of another kind, of the same program and style: `kind` names the value `data` (JSON) in
 // what the page carries, and the program shows what it finds there.
 struct PageContents {
   std::string title, kind, data;
   std::vector<std::string> blobs;  // packed, for data that refer to them
+  std::vector<ReportRun> pictures =
+      {};  // runs of which the charge in motion is to be seen, no more
 };
 std::string html_page(const PageContents& contents);
-
-struct ReportRun {
-  std::string folder;
-  std::string name;  // how the page calls it; empty: the folder's own name
-};
 
 struct ReportOptions {
   std::string title;  // empty: the title of the scene, or the names of the runs

@@ -81,7 +81,8 @@ std::string join(const std::vector<Part>& parts) {
 std::string describe_time(const ProgressLine& line) {
   if (line.settling) return fmt::format("settling t {:.3f} s", line.time);
   std::string text = fmt::format("t {:.3f} s", line.time);
-  if (!std::isnan(line.until) && line.until > 0) text += fmt::format(" {:.1f}%", 100 * line.time / line.until);
+  if (!std::isnan(line.until) && line.until > 0)
+    text += fmt::format(" {:.1f}%", 100 * line.time / line.until);
   if (!std::isnan(line.revolutions)) text += fmt::format(" rev {:.2f}", line.revolutions);
   return text;
 }
@@ -181,6 +182,34 @@ void Progress::print(const ProgressLine& line, bool last) {
   }
   std::fflush(out_);
   next_ = steady_seconds() + period_;
+}
+
+ProgressTable::ProgressTable(std::FILE* out) : out_(out), terminal_(isatty(fileno(out)) == 1) {}
+
+bool ProgressTable::due() const { return steady_seconds() >= next_; }
+
+// The cursor is left where the table begins.
+void ProgressTable::show(const std::string& heading, const std::vector<std::string>& lines) {
+  const std::lock_guard lock(print_mutex);
+  if (terminal_) {
+    const std::size_t width = terminal_width(out_);
+    fmt::print(out_, "\r\033[J{}\n", heading.substr(0, width));
+    for (const std::string& line : lines) fmt::print(out_, "{}\n", line.substr(0, width));
+    fmt::print(out_, "\033[{}A", lines.size() + 1);
+  } else {
+    fmt::print(out_, "{}\n", heading);
+  }
+  std::fflush(out_);
+  shown_ = true;
+  next_ = steady_seconds() + (terminal_ ? 0.5 : 10);
+}
+
+void ProgressTable::clear() {
+  const std::lock_guard lock(print_mutex);
+  if (!shown_ || !terminal_) return;
+  fmt::print(out_, "\r\033[J");
+  std::fflush(out_);
+  shown_ = false;
 }
 
 }  // namespace quern

@@ -10,6 +10,7 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace quern {
 
@@ -59,6 +60,23 @@ class Progress {
   std::FILE* out_;
   bool terminal_;
   double period_;
+  double next_ = 0;  // s, steady clock
+};
+
+// Progress of several runs: a heading and a line for each. On a terminal the lines are redrawn in
+// place; else the heading alone is printed now and then.
+class ProgressTable {
+ public:
+  explicit ProgressTable(std::FILE* out = stderr);
+
+  bool due() const;
+  void show(const std::string& heading, const std::vector<std::string>& lines);
+  void clear();  // makes room for a message
+
+ private:
+  std::FILE* out_;
+  bool terminal_;
+  bool shown_ = false;
   double next_ = 0;  // s, steady clock
 };
 

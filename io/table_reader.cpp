@@ -24,6 +24,7 @@ std::string without_indices(const std::string& path) {
 
 // The table as its header would stand in a file.
 std::string label_of(const std::string& path) {
+  if (path.empty()) return "the file";
   const std::string plain = without_indices(path);
   return path.ends_with(']') ? "[[" + plain + "]]" : "[" + plain + "]";
 }

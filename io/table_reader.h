@@ -105,6 +105,9 @@ class TableReader {
   }
   void named(const Key& key, std::vector<Material>& value);
 
+  // What stands there, for values of many kinds; null: nothing.
+  const Node* raw(const Key& key) { return fetch(key); }
+
   // Reports the keys nobody asked for and the required ones that are not there.
   void finish();
 

@@ -19,7 +19,8 @@ enum class RandomStream : std::uint64_t {
   kPlace = 2,
   kRainOrder = 3,
   kRainPlace = 4,
-  kOrientation = 5
+  kOrientation = 5,
+  kSweep = 6
 };
 
 inline constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15u;

@@ -189,12 +189,11 @@ void set_scaling(const Repeat& r, BenchFigures& f) {
 
 template <class Real>
 BenchFigures measure(LoadedScene loaded, const BenchOptions& options) {
-  const Say quiet = [](std::string_view) {};
   BenchFigures f;
   f.scene = options.scene;
   f.precision = precision_name(loaded.scene);
   f.time_step = loaded.dt;
-  Start<Real> start(std::move(loaded), "", options.json ? quiet : log_info);
+  Start<Real> start(std::move(loaded), "", options.json ? say_nothing : log_info);
   Stepper<Real> stepper(start.world, options.threads);
   f.threads = stepper.graph().threads();
   f.target = stepper.target();

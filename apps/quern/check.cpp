@@ -3,27 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <map>
 
 #include "apps/quern/load.h"
 #include "apps/quern/machine.h"
 #include "apps/quern/recorder.h"
+#include "apps/quern/step_rate.h"
 #include "apps/quern/trade_advice.h"
 #include "io/log.h"
 #include "scheduler/impact_trial.h"
-#include "scheduler/phases.h"
-#include "scheduler/step.h"
 #include "scheduler/trial.h"
 
 namespace quern {
 
 namespace {
-
-double seconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 // Critical speed of a mill in rpm, 42.3 / sqrt(D).
 double critical_rpm(double diameter) { return 42.3 / std::sqrt(diameter); }
@@ -128,81 +122,25 @@ void print_walls(const Facets& facets) {
                   r.boundary_edges, faults));
 }
 
-// Places the particles; those that come in over time all at once and anywhere, or a step would cost
-// nothing. False: they have no room together.
-bool place_all(const Scene& scene, SceneGeometry& geometry, std::vector<ParticleSeed>& seeds,
-               double& depth) {
-  Scene at_once = scene;
-  if (inserted_later(scene)) {
-    at_once.fill.over = 0;
-    at_once.fill.low = at_once.fill.high = std::nullopt;  // where they come in
-    // A box has room above it, as high as need be.
-    const bool* periodic = scene.domain.periodic;
-    if (!periodic[0] && !periodic[1] && !periodic[2]) {
-      at_once.domain.low = at_once.domain.high = std::nullopt;
-    }
-  }
-  FillReport fill;
-  try {
-    fill = place_particles(at_once, geometry.facets(), seeds);
-  } catch (const UserError&) {
-    if (!inserted_later(scene)) throw;
-    return false;
-  }
-  log_info(
-      fmt::format("placing      {:.1f} s, solid fraction {:.3f}{}", fill.seconds, fill.fraction,
-                  inserted_later(scene)
-                      ? fmt::format(" (at once, to measure; in the run they rain in over {:g} s)",
-                                    scene.fill.over)
-                      : ""));
-  include_fill(at_once, fill.low, fill.high, geometry);
-  depth = (fill.high - fill.low).maxCoeff();
-  return true;
-}
-
-std::string rate_text(double particles, std::uint64_t taken, double seconds_taken,
-                      std::uint64_t steps, int threads) {
-  if (taken == 0) return "not measured: particles overlap where they are placed";
-  const double rate = particles * static_cast<double>(taken) / seconds_taken;
-  // A settled charge has several times the contacts of one that has just been placed.
-  constexpr double kSettledShare = 0.4;
-  return fmt::format(
-      "{:.3g} particle steps per second measured on the loose charge, {} threads; about {} with "
-      "the charge settled",
-      rate, threads, format_clock(static_cast<double>(steps) * particles / (kSettledShare * rate)));
-}
-
-template <class Real>
 void print_cost(LoadedScene& loaded, int threads) {
-  std::vector<ParticleSeed> seeds = loaded.seeds;
-  SceneGeometry geometry = build_geometry(loaded.scene, loaded.meshes, seeds);
+  const SceneGeometry geometry = build_geometry(loaded.scene, loaded.meshes, loaded.seeds);
   for (const Body& body : geometry.bodies) print_walls(body.facets);
-  double depth = 0;
-  if (!place_all(loaded.scene, geometry, seeds, depth)) {
+  const std::optional<StepRate> rate = measure_steps(loaded, threads, 2, log_info);
+  if (!rate) {
     log_info("time         not measured: the particles rain in and have no room all at once");
     return;
   }
-  World<Real> world =
-      make_world<Real>(loaded.scene, std::move(geometry), seeds, seeds, std::move(loaded.shapes));
-  const std::vector<PhasePlan> plan =
-      plan_phases(loaded.scene, loaded.dt, depth, world.total_mass, 0.01);
-  std::uint64_t steps = 0;
-  for (const PhasePlan& phase : plan) steps += phase.steps;
-  Stepper<Real> stepper(world, threads);
-  enter_phase(world, loaded.scene, plan, 0);
-  const double start = seconds();
-  std::uint64_t taken = 0;
-  while (seconds() - start < 2 && taken < plan[0].steps) {
-    if ((stepper.step().bits & kFatalBits) != 0) break;
-    ++taken;
-  }
-  loaded.shapes = std::move(world.shapes);  // the seeds point there
-  const double n = static_cast<double>(seeds.size()), measured = seconds() - start;
   log_info(fmt::format("memory       {:.0f} MB peak so far, {:.0f} B per particle",
                        static_cast<double>(peak_memory()) * 1e-6,
-                       static_cast<double>(peak_memory()) / n));
-  log_info(fmt::format("time         {} steps; {}", steps,
-                       rate_text(n, taken, measured, steps, stepper.graph().threads())));
+                       static_cast<double>(peak_memory()) / rate->particles));
+  const std::string text =
+      rate->per_second > 0
+          ? fmt::format(
+                "{:.3g} particle steps per second measured on the loose charge, {} threads; "
+                "about {} with the charge settled",
+                rate->per_second, rate->threads, format_clock(rate->settled_seconds(rate->steps)))
+          : "not measured: particles overlap where they are placed";
+  log_info(fmt::format("time         {:.0f} steps; {}", rate->steps, text));
 }
 
 }  // namespace
@@ -213,11 +151,7 @@ int check_command(const RunOptions& options) {
   print_contents(loaded);
   print_steps(loaded);
   print_accuracy(loaded);
-  if (loaded.scene.run.precision == Precision::kDouble) {
-    print_cost<double>(loaded, options.threads);
-  } else {
-    print_cost<float>(loaded, options.threads);
-  }
+  print_cost(loaded, options.threads);
   judge_time_step(loaded);
   return 0;
 }

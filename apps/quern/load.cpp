@@ -37,11 +37,11 @@ struct MeshOfShape {
 
 // Row of the shape; kNoIndex, and lines in `errors`, where the file gives none.
 Index add_shape(const MeshOfShape& mesh, std::vector<Shape>& shapes,
-                std::vector<std::string>& errors) {
+                std::vector<std::string>& errors, Say warn) {
   try {
     ShapeReport report;
     shapes.push_back(read_shape(mesh.path, mesh.options, report));
-    for (const std::string& line : report.warnings) log_warn(line);
+    for (const std::string& line : report.warnings) warn(line);
     return static_cast<Index>(shapes.size() - 1);
   } catch (const InputErrors& problems) {
     for (const std::string& line : problems.lines) errors.push_back(placed(mesh.place, line));
@@ -53,7 +53,7 @@ Index add_shape(const MeshOfShape& mesh, std::vector<Shape>& shapes,
 
 // A file that serves several species is read once for each of its two options.
 void load_shapes(const std::vector<std::vector<std::string>>& places, LoadedScene& loaded,
-                 std::vector<std::string>& errors) {
+                 std::vector<std::string>& errors, Say warn) {
   std::map<std::pair<std::string, bool>, Index> known;
   for (std::size_t s = 0; s < loaded.scene.particles.size(); ++s) {
     ParticleSpec& species = loaded.scene.particles[s];
@@ -64,7 +64,7 @@ void load_shapes(const std::vector<std::vector<std::string>>& places, LoadedScen
       mesh = absolute_path(loaded.scene, mesh);
       const auto [at, fresh] = known.try_emplace({mesh, species.hull}, kNoIndex);
       if (fresh) {
-        at->second = add_shape({mesh, places[s][k], {species.hull}}, loaded.shapes, errors);
+        at->second = add_shape({mesh, places[s][k], {species.hull}}, loaded.shapes, errors, warn);
       }
       rows.push_back(at->second);
     }
@@ -81,8 +81,8 @@ void refuse_too_large(const Scene& scene) {
       count.spheres, count.polyhedra, expected * 1e-9, available * 1e-9));
 }
 
-LoadedScene finish(SceneResult result) {
-  for (const std::string& line : result.warnings) log_warn(line);
+LoadedScene finish(SceneResult result, Say warn) {
+  for (const std::string& line : result.warnings) warn(line);
   LoadedScene loaded;
   loaded.scene = std::move(result.scene);
   std::vector<std::string> errors = std::move(result.errors);
@@ -95,7 +95,7 @@ LoadedScene finish(SceneResult result) {
     }
     loaded.meshes.push_back(std::move(read.triangles));
   }
-  load_shapes(result.shape_mesh_places, loaded, errors);
+  load_shapes(result.shape_mesh_places, loaded, errors, warn);
   if (!errors.empty()) throw InputErrors{errors};
   refuse_too_large(loaded.scene);
   loaded.seeds = draw_sizes(loaded.scene);
@@ -114,13 +114,14 @@ double expected_memory(const Scene& scene) {
   return kProgram + of_sphere * count.spheres + kOfPolyhedron * count.polyhedra;
 }
 
-LoadedScene load_scene(const std::string& path, const std::vector<std::string>& overrides) {
-  return finish(read_scene(path, overrides));
+LoadedScene load_scene(const std::string& path, const std::vector<std::string>& overrides,
+                       Say warn) {
+  return finish(read_scene(path, overrides), warn);
 }
 
 LoadedScene load_scene_text(const std::string& text, const std::string& name,
                             const std::string& folder) {
-  return finish(parse_scene(text, name, folder, {}, StartFile::kReadBefore));
+  return finish(parse_scene(text, name, folder, {}, StartFile::kReadBefore), log_warn);
 }
 
 Shape read_shape(const std::string& path, const ShapeOptions& options, ShapeReport& report) {
@@ -139,7 +140,7 @@ double fewest_steps_per_contact(const LoadedScene& loaded) {
 
 namespace {
 
-void judge_rayleigh(const LoadedScene& loaded, const std::vector<StepAdvice>& all) {
+void judge_rayleigh(const LoadedScene& loaded, const std::vector<StepAdvice>& all, Say warn) {
   const auto least = std::min_element(
       all.begin(), all.end(),
       [](const StepAdvice& a, const StepAdvice& b) { return a.rayleigh_time < b.rayleigh_time; });
@@ -154,22 +155,22 @@ void judge_rayleigh(const LoadedScene& loaded, const std::vector<StepAdvice>& al
         {fmt::format("error: {}; {:g} of it is allowed ({:.3g} s), {:g} advised", what,
                      kRefusedRayleigh, kRefusedRayleigh * least->rayleigh_time, kAdvisedRayleigh)}};
   }
-  log_warn(fmt::format("{}; {:g} is advised for accuracy", what, kAdvisedRayleigh));
+  warn(fmt::format("{}; {:g} is advised for accuracy", what, kAdvisedRayleigh));
 }
 
 }  // namespace
 
-void judge_time_step(const LoadedScene& loaded) {
+void judge_time_step(const LoadedScene& loaded, Say warn) {
   const double toss = flat_face_toss(loaded.scene, loaded.seeds, loaded.dt);
   if (toss > kWarnedToss) {
-    log_warn(fmt::format(
+    warn(fmt::format(
         "normal_model = \"volume\": the push of one step on a flat face throws a polyhedron up by "
         "{:.2g} of its diameter, energy from nowhere; below {:g} it hardly shows: take a smaller "
         "'contact.volume_stiffness' or 'run.time_step'",
         toss, kWarnedToss));
   }
   const std::vector<StepAdvice> all = advise_steps(loaded.scene, loaded.seeds, loaded.dt);
-  judge_rayleigh(loaded, all);
+  judge_rayleigh(loaded, all, warn);
   const auto worst = std::min_element(
       all.begin(), all.end(),
       [](const StepAdvice& a, const StepAdvice& b) { return a.steps_normal < b.steps_normal; });
@@ -182,7 +183,7 @@ void judge_time_step(const LoadedScene& loaded) {
         {fmt::format("error: {}; at least {:g} are needed ({:.3g} s), {:g} advised", what,
                      kRefusedSteps, worst->contact_time / kRefusedSteps, kAdvisedSteps)}};
   }
-  log_warn(fmt::format("{}; {:g} are advised for accuracy", what, kAdvisedSteps));
+  warn(fmt::format("{}; {:g} are advised for accuracy", what, kAdvisedSteps));
 }
 
 }  // namespace quern

@@ -1,4 +1,4 @@
-// The command line of quern: run, resume, report, compare, check, bench, trade, shape, info.
+// The command line of quern: run, resume, report, compare, check, bench, trade, sweep, shape, info.
 //
 // Exit codes: 0 fine, 1 a defect of ours, 2 the user's input, 3 the system (disk, files), 4 the run
 // went wrong (and left a checkpoint).
@@ -13,6 +13,7 @@
 #include "apps/quern/report.h"
 #include "apps/quern/run.h"
 #include "apps/quern/shape.h"
+#include "apps/quern/sweep.h"
 #include "apps/quern/trade.h"
 #include "io/log.h"
 #include "kernels/simd_target.h"
@@ -109,6 +110,19 @@ int dispatch(int argc, char** argv) {
   quern::TradeOptions trade_options;
   CLI::App* trade = add_trade(app, trade_options);
 
+  quern::SweepOptions sweep_options;
+  CLI::App* sweep = app.add_subcommand("sweep", "many runs of a scene: factors, table, page");
+  sweep->add_option("file", sweep_options.file, "SWEEP.toml")->required();
+  sweep->add_option("--out", sweep_options.out, "folder for the runs and the table")
+      ->default_str("out/<sweep>");
+  sweep->add_flag("--plan", sweep_options.plan, "shows the cases, time and disk, and runs none");
+  sweep->add_option("--case", sweep_options.only, "runs one case alone, by its number in --plan")
+      ->check(CLI::Range(1, 1000000));
+  sweep->add_option("--at-once", sweep_options.at_once, "runs at a time (0: as is fastest)")
+      ->check(CLI::Range(0, 4096));
+  sweep->add_option("--threads", sweep_options.threads, "of each run (0: as is fastest)")
+      ->check(CLI::Range(0, 4096));
+
   quern::ShapeCommand shape_options;
   CLI::App* shape = app.add_subcommand("shape", "what an STL file gives as a polyhedron");
   shape->add_option("file", shape_options.file, "FILE.stl")->required();
@@ -140,6 +154,12 @@ int dispatch(int argc, char** argv) {
       trade_options.out = "out/trade/" + std::filesystem::path(trade_options.scene).stem().string();
     }
     return quern::trade_command(trade_options);
+  }
+  if (sweep->parsed()) {
+    if (sweep_options.out.empty()) {
+      sweep_options.out = "out/" + std::filesystem::path(sweep_options.file).stem().string();
+    }
+    return quern::sweep_command(sweep_options);
   }
   if (shape->parsed()) {
     if (shape_options.out.empty()) shape_options.out = "out/shapes";

@@ -4,7 +4,6 @@
 
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "apps/quern/load.h"
@@ -16,12 +15,11 @@
 
 namespace quern {
 
-using Say = void (*)(std::string_view);  // where news of the filling go
-
 template <class Real>
 class Start {
  public:
-  // `checkpoint`: of the run that goes on; empty: the scene says where it starts from.
+  // `checkpoint`: of the run that goes on; empty: the scene says where it starts from. News of the
+  // filling go to `say`.
   Start(LoadedScene loaded, const std::string& checkpoint, Say say);
 
   // Rain: lets in what is due by now, in the first phase. To be called before each step.

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 // What a setting's folder holds once its run is over.
 struct Measured {
-  TradeOutcome outcome;
+  RunOutcome outcome;
   std::string precision;
   TradeCost cost;
   TradeFigures figures;
@@ -96,22 +96,22 @@ class Trade {
 
  private:
   bool is_over(const TradeSetting& setting) const {
-    return outcome_of(folder_of_setting(options_, setting.name)).state != TradeState::kStopped;
+    return outcome_of(folder_of_setting(options_, setting.name)).state != RunState::kStopped;
   }
 
   bool measure(const TradeSetting& setting) {
     Measured m;
     m.outcome = options_.table ? outcome_of(folder_of_setting(options_, setting.name))
                                : run_setting(options_, loaded_, setting);
-    if (m.outcome.state == TradeState::kStopped) return false;
-    if (m.outcome.state == TradeState::kFinished) {
+    if (m.outcome.state == RunState::kStopped) return false;
+    if (m.outcome.state == RunState::kFinished) {
       try {
         read(setting, m);
       } catch (const UserError& error) {  // it went wrong while it was timed
-        m.outcome = {TradeState::kFailed, error.what()};
+        m.outcome = {RunState::kFailed, error.what()};
       }
     }
-    if (m.outcome.state == TradeState::kFailed) {
+    if (m.outcome.state == RunState::kFailed) {
       log_warn(fmt::format("{}: {}", setting.name, m.outcome.reason));
     }
     measured_[setting.name] = std::move(m);
@@ -131,7 +131,7 @@ class Trade {
 
   bool finished(const std::string& setting) const {
     const auto found = measured_.find(setting);
-    return found != measured_.end() && found->second.outcome.state == TradeState::kFinished;
+    return found != measured_.end() && found->second.outcome.state == RunState::kFinished;
   }
 
   // What the row names; where that has not been run, for the finest of the numerics the one with

@@ -5,13 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <sstream>
 
 #include "apps/quern/run.h"
 #include "io/file_commit.h"
 #include "io/log.h"
-#include "io/scene_reader.h"
-#include "io/summary.h"
 #include "scheduler/phases.h"
 
 namespace quern {
@@ -21,32 +18,15 @@ namespace {
 namespace fs = std::filesystem;
 using Keys = std::vector<std::string>;
 
-// The scene's text without the places of files, which change when folders are moved.
-std::string without_places(const std::string& text) {
-  std::istringstream in(text);
-  std::string out;
-  for (std::string line; std::getline(in, line);) {
-    if (line.starts_with("folder = ") || line.starts_with("start_file = ")) continue;
-    out += line + "\n";
-  }
-  return out;
-}
-
-bool holds_scene(const std::string& folder, const Scene& scene) {
-  const std::string path = folder + "/scene.toml";
-  return fs::exists(path) &&
-         without_places(read_text_file("scene", path)) == without_places(scene_to_toml(scene));
-}
-
 // Whether the folder's run is over, and of this very scene.
 bool is_made(const TradeOptions& options, const std::string& folder, const Keys& keys) {
-  return outcome_of(folder).state != TradeState::kStopped &&
+  return outcome_of(folder).state != RunState::kStopped &&
          holds_scene(folder, load_scene(options.scene, keys).scene);
 }
 
 // One run in one folder. What the scene itself forbids (too long a step) is a failure of the
 // setting.
-TradeOutcome make_run(const TradeOptions& options, const std::string& folder, const Keys& keys) {
+RunOutcome make_run(const TradeOptions& options, const std::string& folder, const Keys& keys) {
   RunOptions run;
   run.scene = options.scene;
   run.out = folder;
@@ -64,7 +44,7 @@ TradeOutcome make_run(const TradeOptions& options, const std::string& folder, co
       run_command(run);
     }
   } catch (const InputErrors& errors) {
-    return {TradeState::kFailed, errors.lines.front()};
+    return {RunState::kFailed, errors.lines.front()};
   }
   return outcome_of(folder);
 }
@@ -121,9 +101,9 @@ class StateMaker {
     return (own_ == SteadyState::kShared ? options_.out : folder_) + "/steady";
   }
 
-  TradeOutcome make() const {
-    const TradeOutcome made = make_spheres();
-    if (made.state != TradeState::kFinished || !polyhedra_) return made;
+  RunOutcome make() const {
+    const RunOutcome made = make_spheres();
+    if (made.state != RunState::kFinished || !polyhedra_) return made;
     Keys keys = state_set(own_ != SteadyState::kShared);
     append(keys, state_keys(options_, scene_));
     append(keys, start_keys(spheres()));
@@ -139,7 +119,7 @@ class StateMaker {
     return options_.spheres.empty() ? options_.out + "/steady_spheres" : options_.spheres;
   }
 
-  TradeOutcome make_spheres() const {
+  RunOutcome make_spheres() const {
     if (!own_spheres() && !options_.spheres.empty()) return {};
     Keys keys = state_set(own_spheres());
     append(keys, as_spheres(own_spheres() ? scene_ : base_.scene));
@@ -168,21 +148,12 @@ class StateMaker {
 
 }  // namespace
 
-TradeOutcome outcome_of(const std::string& folder) {
-  const std::string path = folder + "/summary.json";
-  if (!fs::exists(path)) return {TradeState::kStopped, ""};
-  const SummaryFile summary(path);
-  if (summary.flag("finished")) return {};
-  const std::string error = summary.text("error");
-  return {error.empty() ? TradeState::kStopped : TradeState::kFailed, error};
-}
-
 std::string folder_of_setting(const TradeOptions& options, const std::string& name) {
   return options.out + "/" + name;
 }
 
-TradeOutcome run_setting(const TradeOptions& options, const LoadedScene& base,
-                         const TradeSetting& setting) {
+RunOutcome run_setting(const TradeOptions& options, const LoadedScene& base,
+                       const TradeSetting& setting) {
   try {
     const StateMaker maker(options, base, setting);
     const std::string folder = folder_of_setting(options, setting.name);
@@ -192,14 +163,14 @@ TradeOutcome run_setting(const TradeOptions& options, const LoadedScene& base,
     Keys made_keys = keys;
     append(made_keys, start_keys(folder));
     if (fs::exists(folder) && is_made(options, folder, made_keys)) return outcome_of(folder);
-    const TradeOutcome state = maker.make();
-    if (state.state != TradeState::kFinished) return state;
+    const RunOutcome state = maker.make();
+    if (state.state != RunState::kFinished) return state;
     append(keys, start_keys(maker.state()));
     return make_run(options, folder, keys);
   } catch (const InputErrors& errors) {
-    return {TradeState::kFailed, errors.lines.front()};
+    return {RunState::kFailed, errors.lines.front()};
   } catch (const UserError& error) {
-    return {TradeState::kFailed, error.what()};
+    return {RunState::kFailed, error.what()};
   }
 }
 

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/quern/run_folder.h"
 #include "apps/quern/trade_dials.h"
 
 namespace quern {
@@ -29,19 +30,9 @@ struct TradeOptions {
   bool list = false, table = false;  // run nothing: show the settings; the table of what is there
 };
 
-enum class TradeState { kFinished, kFailed, kStopped };
-
-struct TradeOutcome {
-  TradeState state = TradeState::kFinished;
-  std::string reason;  // of a failure
-};
-
 // Makes the setting's run, and the states it needs, unless they are there.
-TradeOutcome run_setting(const TradeOptions& options, const LoadedScene& base,
-                         const TradeSetting& setting);
-
-// Of the run in a folder: kStopped if it is not over, or there is none.
-TradeOutcome outcome_of(const std::string& folder);
+RunOutcome run_setting(const TradeOptions& options, const LoadedScene& base,
+                       const TradeSetting& setting);
 
 std::string folder_of_setting(const TradeOptions& options, const std::string& name);
 

@@ -14,6 +14,15 @@ import tempfile
 import time
 
 
+# The first kilobytes of a blob that was handed out as a file.
+CATCH = """(() => {
+  window.handed = [];
+  const make = URL.createObjectURL;
+  URL.createObjectURL = (blob) => { window.handed.push(blob); return make(blob); };
+  HTMLAnchorElement.prototype.click = function () { window.handedName = this.download; };
+})()"""
+
+
 class Browser:
     def __init__(self):
         program = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")

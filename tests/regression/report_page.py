@@ -14,22 +14,13 @@ import subprocess
 import sys
 import unittest
 
-from browser import Browser
+from browser import CATCH, Browser
 
 PROGRAM = os.environ["QUERN_PROGRAM"]
 SPHERES, MIXED, WORK = (pathlib.Path(p) for p in sys.argv[1:4])
 HERE = pathlib.Path(__file__).resolve().parent
 FIRST_PICTURE = 3.0  # s, of the lab mill
 ALL_SECTIONS = ["charge-view", "power", "charge", "wear", "spectra", "classes", "formulas", "course"]
-
-# The first kilobytes of a blob that was handed out as a file.
-CATCH = """(() => {
-  window.handed = [];
-  const make = URL.createObjectURL;
-  URL.createObjectURL = (blob) => { window.handed.push(blob); return make(blob); };
-  HTMLAnchorElement.prototype.click = function () { window.handedName = this.download; };
-})()"""
-
 
 def setUpModule():
     global BROWSER

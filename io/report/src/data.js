@@ -14,19 +14,26 @@ async function unpack(text) {
   return new Response(stream).arrayBuffer();
 }
 
+let keep = false;
+
+// On a page that shows a picture now and again: what is packed stays.
+export function keepBlobs() {
+  keep = true;
+}
+
 // A packed array by its number; its text is let go once it has been read.
 export async function blob(number) {
   const element = document.getElementById(`blob${number}`);
   const buffer = await unpack(element.textContent);
-  element.remove();
+  if (!keep) element.remove();
   return buffer;
 }
 
 export async function readPage() {
   const text = new TextDecoder().decode(await unpack(document.getElementById("data").textContent));
   const page = JSON.parse(text);
-  const runs = (page.runs ?? []).map((raw, index) => new Run(raw, index));
-  return { title: page.title, runs, trade: page.trade };
+  const runs = (page.runs ?? page.pictures ?? []).map((raw, index) => new Run(raw, index));
+  return { title: page.title, runs, trade: page.trade, sweep: page.sweep };
 }
 
 export class Run {

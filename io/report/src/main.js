@@ -12,6 +12,7 @@ import { formulas } from "./sections/formulas.js";
 import { contents, headline, notes } from "./sections/headline.js";
 import { power } from "./sections/power.js";
 import { spectra } from "./sections/spectra.js";
+import { sweep } from "./sections/sweep.js";
 import { trade } from "./sections/trade.js";
 import { view } from "./sections/view.js";
 import { wear } from "./sections/wear.js";
@@ -20,7 +21,11 @@ async function start() {
   const main = document.getElementById("page");
   const page = await readPage();
   if (page.trade) {
-    showTrade(main, page);
+    showParts(main, page, trade(page), page.trade.commit);
+    return;
+  }
+  if (page.sweep) {
+    showParts(main, page, sweep(page), page.sweep.commit);
     return;
   }
   const moving = view(page);
@@ -45,10 +50,10 @@ async function start() {
   window.quern = { page, plots, clock: moving?.clock ?? null, firstPicture: seconds, ready: true };
 }
 
-function showTrade(main, page) {
-  const [header, ...parts] = trade(page);
+// A page of another kind: its header and sections.
+function showParts(main, page, [header, ...parts], commit) {
   header.append(contents(parts));
-  main.replaceChildren(header, ...parts, el("footer", {}, `Made by quern ${page.trade.commit}.`));
+  main.replaceChildren(header, ...parts, el("footer", {}, `Made by quern ${commit}.`));
   window.quern = { page, plots, ready: true };
 }
 

@@ -1,8 +1,9 @@
 // A plot with its title, its legend, its keys and its numbers as CSV; uPlot draws.
 //
 // plot({ title, note, x: { label, unit, log, scale }, y: { label, unit, log, zero }, series: [{ label, x, y,
-// error, spread, colour, dash, points, labels }], marks: [{ at, label }] }). Lines may have places (x) of their own. Errors
-// are whiskers, spreads are bands, labels stand beside their points. On log axes what is not positive is left out.
+// error, spread, colour, dash, points, scatter, exact, labels }], marks: [{ at, label }] }). Lines may have places (x) of
+// their own. Errors are whiskers, spreads are bands, labels stand beside their points, scatter leaves the line away, exact
+// are places for the CSV where those drawn were set apart. On log axes what is not positive is left out.
 import uPlot from "uplot";
 import { download, el } from "./dom.js";
 import { axisPrefix, labelled, number, powerOfTen, tickTexts } from "./format.js";
@@ -113,7 +114,7 @@ function assemble(spec) {
     lines.push({
       label: line.label,
       stroke,
-      width: 1.75,
+      width: line.scatter ? 0 : 1.75,
       dash: line.dash,
       spanGaps: true,
       points: { show: line.points ?? false, size: 7, fill: stroke },
@@ -228,6 +229,21 @@ function rangeOfPlaces(spec) {
   return spec.x.log ? range({ log: true }) : even;
 }
 
+// Whiskers are part of what is to be seen.
+function rangeOfValues(spec) {
+  const plain = range(spec.y);
+  if (spec.y.log) return plain;
+  const ends = spec.series.flatMap((line) =>
+    (line.error ?? []).flatMap((e, k) => {
+      const known = usable(line.y[k], false) !== null && usable(e, false) !== null;
+      return known ? [line.y[k] - e, line.y[k] + e] : [];
+    }),
+  );
+  const [least, most] = [Math.min(...ends), Math.max(...ends)];
+  return (u, low, high) =>
+    low === null || ends.length === 0 ? plain(u, low, high) : plain(u, Math.min(low, least), Math.max(high, most));
+}
+
 function range(spec) {
   if (spec.log) return (_, low, high) => (low > 0 ? uPlot.rangeLog(low, high, 10, false) : [1, 10]);
   return (_, low, high) => {
@@ -263,7 +279,7 @@ export function csvOf(spec) {
   ];
   for (const line of spec.series) {
     line.x.forEach((x, k) => {
-      const cells = [x, quote(line.label), line.y[k], line.error?.[k], line.spread?.[k]];
+      const cells = [line.exact?.[k] ?? x, quote(line.label), line.y[k], line.error?.[k], line.spread?.[k]];
       lines.push(cells.map((v) => v ?? "").join(","));
     });
   }
@@ -361,7 +377,7 @@ export function plot(fresh) {
         ...size(),
         scales: {
           x: { time: false, distr: spec.x.log ? 3 : 1, range: rangeOfPlaces(spec) },
-          y: { distr: spec.y.log ? 3 : 1, range: range(spec.y) },
+          y: { distr: spec.y.log ? 3 : 1, range: rangeOfValues(shown) },
         },
         axes: [axis(spec.x, "x", (p) => p.width / 60), axis(shown.y, "y", (p) => p.height / 30)],
         series: lines,
