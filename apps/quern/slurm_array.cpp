@@ -58,8 +58,10 @@ std::string slurm_array_text(const SlurmArray& array) {
   const double minutes = std::max(1.0, std::ceil(array.time_limit / 60));
   const double notice = std::min(kLongestNotice, 60 * minutes / 4);
   std::string command;
-  for (const std::string& word : array.command)
-    command += (command.empty() ? "" : " ") + shell_word(word);
+  for (const std::string& word : array.command) {
+    if (!command.empty()) command += ' ';
+    command += shell_word(word);
+  }
   return "#!/bin/bash\n" + fmt::format("#SBATCH --job-name={}\n", sbatch_word(array.name)) +
          fmt::format("#SBATCH --array=0-{}\n", array.cases - 1) +
          fmt::format("#SBATCH --nodes=1 --ntasks=1 --cpus-per-task={}\n", array.threads) +

@@ -224,18 +224,19 @@ std::string csv_text(const TradeTable& table) {
                        csv_field(r.against), csv_field(r.status), r.front);
     const bool told = r.status.empty();
     for (const double value : {r.cost.ratio, r.cost.low, r.cost.high}) {
-      csv += "," + (told ? csv_number(value) : "");
+      csv += fmt::format(",{}", told ? csv_number(value) : "");
     }
-    csv += "," + r.precision;
+    csv += fmt::format(",{}", r.precision);
     for (const double value :
          {f.time_step, f.steps_per_contact, f.impact_overlap, f.restitution_asked,
           f.restitution_delivered, f.restitution_scatter, f.ledger_error, f.numerical_loss}) {
-      csv += "," + (told ? csv_number(value) : "");
+      csv += fmt::format(",{}", told ? csv_number(value) : "");
     }
     for (const std::string& name : names) {
       const TradeError* error = error_named(r, name);
-      csv += "," + (error != nullptr ? csv_number(error->value) : "");
-      csv += "," + (error != nullptr ? csv_number(error->standard_error) : "");
+      csv += error != nullptr
+                 ? fmt::format(",{},{}", csv_number(error->value), csv_number(error->standard_error))
+                 : ",,";
     }
     csv += "\n";
   }
