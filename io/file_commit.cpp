@@ -71,6 +71,19 @@ std::size_t read_some(const Descriptor& file, std::string& part, const std::stri
   return static_cast<std::size_t>(n);
 }
 
+// Gives a file a second name, so that the first is there at every moment until it is replaced. A
+// file system without links has a moment without it.
+void keep_as(const std::string& what, const std::string& path, const std::string& kept) {
+  const std::string second = kept + ".tmp";
+  ::unlink(second.c_str());  // of a program killed here
+  if (::link(path.c_str(), second.c_str()) != 0) {
+    rename_file(what, path, kept);
+    return;
+  }
+  rename_file(what, second, kept);
+  ::unlink(second.c_str());  // stays if `kept` was the same file already
+}
+
 }  // namespace
 
 PendingFile::PendingFile(std::string what, std::string path)
@@ -83,7 +96,7 @@ PendingFile::~PendingFile() {
 void PendingFile::commit(Durability durability, const std::string& previous) {
   const bool sync = durability == Durability::kPowerCut;
   if (sync) sync_path(what_, temporary_);
-  if (!previous.empty() && std::filesystem::exists(path_)) rename_file(what_, path_, previous);
+  if (!previous.empty() && std::filesystem::exists(path_)) keep_as(what_, path_, previous);
   rename_file(what_, temporary_, path_);
   temporary_.clear();
   if (sync) sync_path(what_, folder_of(path_));

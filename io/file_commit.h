@@ -24,7 +24,8 @@ class PendingFile {
   ~PendingFile();
 
   const std::string& temporary() const { return temporary_; }
-  // Syncs if asked, keeps an existing file as `previous` if that is not empty, renames.
+  // Syncs if asked, keeps an existing file as `previous` if that is not empty, renames. The path
+  // names a whole file at every moment.
   void commit(Durability durability, const std::string& previous = {});
 
  private:

@@ -9,11 +9,15 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <bit>
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <limits>
+#include <thread>
 
+#include "io/file_commit.h"
 #include "io/hdf5_file.h"
 #include "io/seal.h"
 #include "tests/support/temp_folder.h"
@@ -192,6 +196,29 @@ TEST(Checkpoint, KeepsThePreviousOne) {
   EXPECT_EQ(usable_checkpoint(folder.path(), &warning), folder / "checkpoint.h5");
   EXPECT_EQ(warning, "");
   EXPECT_FALSE(std::filesystem::exists(folder / "checkpoint.h5.tmp"));
+}
+
+// Who waits for a run's checkpoint may look at any moment.
+TEST(Checkpoint, IsThereWhileItIsReplaced) {
+  const TempFolder folder;
+  const std::string path = folder / "file", kept = folder / "kept";
+  write_text_file("file", path, "text", Durability::kKill);
+  std::atomic<bool> ended = false;
+  std::atomic<std::size_t> looks = 0, absent = 0;
+  std::thread watcher([&] {
+    for (; !ended; ++looks) absent += ::access(path.c_str(), F_OK) != 0;
+  });
+  while (looks == 0) std::this_thread::yield();
+  for (int n = 0; n < 3000; ++n) {
+    PendingFile pending("file", path);
+    std::ofstream(pending.temporary()) << n;
+    pending.commit(Durability::kKill, kept);
+    EXPECT_EQ(read_text_file("file", kept), n == 0 ? "text" : std::to_string(n - 1));
+  }
+  ended = true;
+  watcher.join();
+  EXPECT_EQ(absent, 0);
+  EXPECT_FALSE(std::filesystem::exists(kept + ".tmp"));
 }
 
 TEST(Checkpoint, NoticesEveryFlippedByte) {
