@@ -131,42 +131,54 @@ HWY_INLINE V energy_of(V speed2, V inverse_mass) {
   return hn::Div(hn::Mul(hn::Set(hn::DFromV<V>(), hn::TFromV<V>(0.5)), speed2), inverse_mass);
 }
 
+// What the force kernel tells of a vector of contacts.
+template <class V>
+struct ToldV {
+  V energies[4];  // as ContactEnergies
+  V kind;
+};
+template <class V>
+HWY_INLINE void tell(const ResponseV<V>& r, V kind, ToldV<V>& to) {
+  to = {{r.work, r.elastic, r.slide, r.tangential_damping}, kind};
+}
+
 // The step of a vector of contacts: W taken from the sums of their episodes.
-template <class Real, class V, class M>
-HWY_INLINE void follow_episodes(Recording recording, const TouchV<V>& t, const ResponseV<V>& r,
-                                M touching, M open, Changes changes, EpisodeV<V>& e) {
+template <class Real, class V>
+HWY_INLINE void follow_episodes(Recording recording, const ToldV<V>& told, EpisodeV<V>& e) {
   const Lanes<Real> d;
+  const V work = told.energies[0];
   if (HWY_UNLIKELY(recording == Recording::kOpening)) {
-    e[0] = r.elastic;
+    e[0] = told.energies[1];
     e[1] = e[2] = hn::Zero(d);
     return;
   }
   // Sum and rounding error of it (Knuth 1969): right whichever is larger.
-  const V sum = hn::Sub(e[0], r.work), taken = hn::Sub(sum, e[0]);
-  const V error = hn::Sub(hn::Sub(e[0], hn::Sub(sum, taken)), hn::Add(r.work, taken));
+  const V sum = hn::Sub(e[0], work), taken = hn::Sub(sum, e[0]);
+  const V error = hn::Sub(hn::Sub(e[0], hn::Sub(sum, taken)), hn::Add(work, taken));
   e[0] = sum;
   e[1] = hn::Add(e[1], error);
-  if (HWY_LIKELY(changes.begun == 0)) return;
-  const V approach = energy_of(hn::Mul(t.normal_velocity, t.normal_velocity), t.inverse_mass);
-  e[2] = hn::IfThenElse(hn::AndNot(open, touching), approach, e[2]);
 }
 
 // Energies by kind; those of the first kind are what the others leave of all.
 template <class Real, class V>
-HWY_INLINE void add_to_kinds(std::size_t kinds, V kind, const ResponseV<V>& r, KindsV<V>& to) {
-  const V told[4] = {r.work, r.elastic, r.slide, r.tangential_damping};
+HWY_INLINE void add_to_kinds(std::size_t kinds, const ToldV<V>* told, std::size_t vectors,
+                             KindsV<V>& to) {
   for (std::size_t k = 1; k < kinds; ++k) {
-    const auto mine = hn::Eq(kind, hn::Set(Lanes<Real>(), static_cast<Real>(k)));
-    for (std::size_t n = 0; n < 4; ++n) {
-      to.few[k][n] = add_masked(to.few[k][n], mine, told[n]);
+    const V this_kind = hn::Set(Lanes<Real>(), static_cast<Real>(k));
+    V sum[4] = {to.few[k][0], to.few[k][1], to.few[k][2], to.few[k][3]};
+    for (std::size_t v = 0; v < vectors; ++v) {
+      const auto mine = hn::Eq(told[v].kind, this_kind);
+      for (std::size_t n = 0; n < 4; ++n) sum[n] = add_masked(sum[n], mine, told[v].energies[n]);
     }
+    for (std::size_t n = 0; n < 4; ++n) to.few[k][n] = sum[n];
   }
 }
 
-// Episodes of own contacts that began or ended.
+// Episodes of own contacts that began or ended. Vectors come by value: an address would have them
+// all written to memory for the few contacts that change.
 template <class Real, class V>
-HWY_NOINLINE void tell_changes(const Changes& changes, V kind, const TouchV<V>& t,
-                               const EpisodeV<V>& e, PairCollisions<Real>& to) {
+HWY_NOINLINE void tell_changes(Changes changes, V kind, V dissipated, V approach, V impact,
+                               PairCollisions<Real>& to) {
   const Lanes<Real> d;
   const hn::RebindToSigned<Lanes<Real>> di;
   const auto store_kinds = [&](std::uint32_t bits, Index* at) HWY_ATTR {
@@ -175,13 +187,12 @@ HWY_NOINLINE void tell_changes(const Changes& changes, V kind, const TouchV<V>& 
     for (int k = 0; k < __builtin_popcount(bits); ++k) at[k] = static_cast<Index>(lane[k]);
   };
   if (const std::uint32_t ended = changes.ended; ended != 0) {
-    hn::StoreU(numbers_to_front(hn::Add(e[0], e[1]), ended), d, to.dissipated + to.ended);
-    hn::StoreU(numbers_to_front(e[2], ended), d, to.approach + to.ended);
+    hn::StoreU(numbers_to_front(dissipated, ended), d, to.dissipated + to.ended);
+    hn::StoreU(numbers_to_front(approach, ended), d, to.approach + to.ended);
     store_kinds(ended, to.ended_kind + to.ended);
     to.ended += static_cast<std::size_t>(__builtin_popcount(ended));
   }
   if (const std::uint32_t begun = changes.begun; begun != 0) {
-    const V impact = energy_of(dot(t.at_point, t.at_point), t.inverse_mass);
     hn::StoreU(numbers_to_front(impact, begun), d, to.impact + to.begun);
     store_kinds(begun, to.begun_kind + to.begun);
     to.begun += static_cast<std::size_t>(__builtin_popcount(begun));

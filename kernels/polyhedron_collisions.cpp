@@ -48,7 +48,7 @@ void PolyhedronContacts<Real>::record_wall(World<Real>& world, std::size_t k,
   told.point = lane.wall.point;
   told.wall = lane.wall.wall;
   told.touches = lane.touching;
-  told.mass = 1 / p.inverse_mass[lane.wall.particle];
+  told.inverse_mass = p.inverse_mass[lane.wall.particle];
   const bool known = lane.old_wall != nullptr && !p.wall_episodes.empty();
   const Episode* before =
       known ? &p.wall_episodes[static_cast<std::size_t>(lane.old_wall - p.walls.data())] : nullptr;

@@ -26,11 +26,10 @@ double normal_dissipation(const ContactEnergies& e, double elastic_before) {
   return -e.work - (e.elastic - elastic_before) - e.slide - e.tangential_damping;
 }
 
-}  // namespace
-
+// follow_wall_contact(), inline.
 template <class Real>
-Episode follow_wall_contact(const World<Real>& world, std::size_t kind, const WallTold& told,
-                            const Episode* before, const Arrival& arrival, CollisionTally& tally) {
+inline Episode follow(const World<Real>& world, std::size_t kind, const WallTold& told,
+                      const Episode* before, const Arrival& arrival, CollisionTally& tally) {
   const CollisionsAsked& asked = world.collisions_asked;
   const ContactEnergies& e = told.energies;
   if (asked.kinds) tally.add(kind, e);
@@ -45,7 +44,7 @@ Episode follow_wall_contact(const World<Real>& world, std::size_t kind, const Wa
   if (told.wall == asked.liner) {
     const Body& body = world.bodies[world.walls[told.wall].body];
     const double fast2 = hit_speed2(body.velocity.spin.squaredNorm(), asked.mill_radius);
-    const bool hit = now.approach > 0.5 * told.mass * fast2;
+    const bool hit = now.approach * told.inverse_mass > 0.5 * fast2;
     if (hit || tally.samples_liner()) {
       tally.touch_liner(told.point.x(), told.point.y(), normal_dissipation(e, now.elastic),
                         hit ? LinerTouch::kHit : LinerTouch::kSlow);
@@ -55,6 +54,14 @@ Episode follow_wall_contact(const World<Real>& world, std::size_t kind, const Wa
   now.elastic = e.elastic;
   if (!told.touches && asked.kinds) tally.end_episode(kind, now.energy, now.approach);
   return now;
+}
+
+}  // namespace
+
+template <class Real>
+Episode follow_wall_contact(const World<Real>& world, std::size_t kind, const WallTold& told,
+                            const Episode* before, const Arrival& arrival, CollisionTally& tally) {
+  return follow(world, kind, told, before, arrival, tally);
 }
 
 template <class Real>
@@ -73,14 +80,14 @@ void record_wall_contacts(const World<Real>& world, const WallContacts& contacts
     told.point = lanes.point(k);
     told.wall = lanes.wall(k);
     told.touches = lanes.is_open(k);
-    told.mass = 1 / static_cast<double>(p.traits[particle].inverse_mass);
+    told.inverse_mass = static_cast<double>(p.traits[particle].inverse_mass);
     const WallSpring* old = lanes.old(k);
     // The opening step has no episodes yet.
     const bool known = old != nullptr && !tile.episodes.empty();
     const Episode* before =
         known ? &tile.episodes[static_cast<std::size_t>(old - tile.springs.data())] : nullptr;
     const Arrival came = old == nullptr ? arrival(p, contacts, k) : Arrival{0, 0};
-    const Episode episode = follow_wall_contact(world, kind, told, before, came, tally);
+    const Episode episode = follow(world, kind, told, before, came, tally);
     if (told.touches) now.push_back(episode);
   }
   std::swap(tile.episodes, now);

@@ -12,7 +12,7 @@ struct WallTold {
   Vec3 point = Vec3::Zero();  // m, of the contact
   Index wall = 0;
   bool touches = false;
-  double mass = 0;  // kg, of the particle
+  double inverse_mass = 0;  // 1/kg, of the particle
 };
 // One that came, if it is new: 1/2 m v_n^2 and 1/2 m v^2 at the contact point.
 struct Arrival {

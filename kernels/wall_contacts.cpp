@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kEntriesAhead = 8;
 constexpr double kLeastRoom = 1e-3;  // of the radius: not worth a search of its own
-constexpr double kFront = 1e-6;      // of the radius: a centre this high is in front of a face
+constexpr double kFront = 1e-6;      // of the radius: so far from a border is clearly beside it
 constexpr std::size_t kPoint = WallLanes::kPoint, kEnergies = kPoint + 3;
 constexpr std::size_t kWear = kEnergies + 4, kRows = kWear + kWearSums;
 
@@ -121,13 +121,17 @@ KnownTouch look_again(const Facets& all, const Ball& ball, std::span<const Index
   return {ball.in_body, freedom.way, freedom.facet, kNoIndex};
 }
 
-// The cell of the facet that it touches, which it is looked for again beyond.
-void look_for_cell(const WearGrid& grid, double radius, KnownTouch& known) {
+// The cell of the facet that it touches, kNoIndex where it is not worth knowing or too near an edge
+// to tell from the centre. If it may be relied on it is looked for again beyond.
+Index look_for_cell(const WearGrid& grid, double radius, KnownTouch& known) {
+  if (known.free < kLeastRoom * radius) return kNoIndex;
   double room = 0;
   const Index cell = grid.cell_at(known.facet, known.place, room);
-  if (room < kLeastRoom * radius) return;
-  known.free = std::min(known.free, room);
-  known.wear_cell = cell;
+  if (room >= kLeastRoom * radius) {
+    known.free = std::min(known.free, room);
+    known.wear_cell = cell;
+  }
+  return room > kFront * radius ? cell : kNoIndex;
 }
 
 }  // namespace
@@ -290,10 +294,11 @@ void collect_wall_contacts(const World<Real>& world, std::size_t tile, std::span
     Touches now;
     find_touches(body, ball, facets, open, now);
     sure = look_again(body.facets, ball, facets, now);
+    Index cell = kNoIndex;
     if (sure.facet != kNoIndex && world.wear.records()) {
-      look_for_cell(world.wear.grids[c.body[entry]], ball.radius, sure);
+      cell = look_for_cell(world.wear.grids[c.body[entry]], ball.radius, sure);
     }
-    push_contacts(world, body, ball, now, open, sure.wear_cell, lanes);
+    push_contacts(world, body, ball, now, open, cell, lanes);
   }
   while (spring != last) push_closing(world, *spring++, lanes);
 }

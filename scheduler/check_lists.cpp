@@ -232,7 +232,7 @@ std::vector<std::string> unequal_twins(const World<Real>& world) {
         continue;
       }
       bool equal = true;
-      for (std::size_t k = 0; k < pairs.history(); ++k) {
+      for (std::size_t k = 0; k < pairs.law_history(); ++k) {
         equal = equal && pairs.number(t, slot, k) == pairs.number(other, twin->second.slot, k);
       }
       if (!equal) faults.push_back(name_of_pair(world, i, j) + ": the copies differ");

@@ -142,12 +142,14 @@ struct Filler {
     place<false>(pairs.imported_plan, fresh.own_end[tile]);
     std::vector<Old> open;
     find_open<true>(fresh.begin[tile], fresh.own_end[tile], open);
+    const std::size_t own = open.size();
     find_open<false>(fresh.own_end[tile], fresh.begin[tile + 1], open);
     ContactHistory<Real>& to = fresh.contacts[tile];
     to.reset(open.size(), fresh.history());
     for (std::size_t c = 0; c < open.size(); ++c) {
       const ContactHistory<Real>& from = old.contacts[open[c].tile];
-      for (std::size_t k = 0; k < fresh.history(); ++k) {
+      const std::size_t numbers = c < own ? fresh.history() : fresh.law_history();
+      for (std::size_t k = 0; k < numbers; ++k) {
         to.number(c, k) = from.number(open[c].contact, k);
       }
     }

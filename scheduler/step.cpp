@@ -282,7 +282,12 @@ void Stepper<Real>::add_tiles() {
 template <class Real>
 void Stepper<Real>::add_wear() {
   if (!world_.wear.records()) return;
-  for (const WearList& list : tile_wear_) world_.wear.add(list.entries);
+  constexpr std::size_t kAhead = 3;  // lists: cells lie far apart
+  const std::size_t tiles = tile_wear_.size();
+  for (std::size_t k = 0; k < tiles + kAhead; ++k) {
+    if (k < tiles) world_.wear.prefetch(tile_wear_[k].entries);
+    if (k >= kAhead) world_.wear.add(tile_wear_[k - kAhead].entries);
+  }
   if (bodies_) bodies_->add_wear();
   world_.wear.time[0] += world_.clock.dt;
 }
@@ -388,7 +393,8 @@ StepReport Stepper<Real>::judge() const {
 // The next records are those of before the step.
 template <class Real>
 Offender Stepper<Real>::find_odd() const {
-  BeforeStep<Real> before{&world_.particles.record_next, &world_.particles.traits_next, nullptr, {}};
+  BeforeStep<Real> before{
+      &world_.particles.record_next, &world_.particles.traits_next, nullptr, {}};
   for (const TileTotals& t : tile_totals_) {
     if (before.contact.id == kNoIndex) before.contact = t.odd;
   }

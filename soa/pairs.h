@@ -28,8 +28,8 @@ namespace quern {
 
 inline constexpr std::size_t kPairPad = 16;                      // the widest vector of f32
 inline constexpr std::size_t kHistory = 6, kRollingHistory = 9;  // numbers a contact
-// And while collisions are recorded: energy of its episode (see soa/collisions.h) as a sum and what
-// its rounding has left, energy of approach.
+// And of own ones while collisions are recorded: energy of its episode (see soa/collisions.h) as a
+// sum and what its rounding has left, energy of approach.
 inline constexpr std::size_t kEpisodeHistory = 3;
 
 // Number k of contact c is numbers[k * stride + c]; vectors may be loaded and stored past the end.
@@ -144,15 +144,24 @@ struct PairBatch {
   }
 
  private:
-  // Histories of all tiles, contact after contact.
+  // Of a tile; they come first.
+  std::size_t own_contacts(std::size_t tile) const {
+    const Index row = row_begin[own_end[tile]];
+    return row < row_begin[begin[tile + 1]] ? first_contact[row] : contacts[tile].count;
+  }
+  // Histories of all tiles, contact after contact; zeros for the episodes of imported ones.
   Column<Real> gathered() const {
     Column<Real> all;
     std::size_t contacts_of_all = 0, at = 0;
     for (const auto& tile : contacts) contacts_of_all += tile.count;
     all.reset(contacts_of_all * history());
-    for (const auto& tile : contacts) {
-      for (std::size_t c = 0; c < tile.count; ++c) {
-        for (std::size_t k = 0; k < history(); ++k) all[at++] = tile.number(c, k);
+    for (std::size_t tile = 0; tile < contacts.size(); ++tile) {
+      const std::size_t own = own_contacts(tile);
+      for (std::size_t c = 0; c < contacts[tile].count; ++c) {
+        const std::size_t numbers = c < own ? history() : law_history();
+        for (std::size_t k = 0; k < history(); ++k) {
+          all[at++] = k < numbers ? contacts[tile].number(c, k) : Real(0);
+        }
       }
     }
     return all;

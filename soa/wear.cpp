@@ -135,14 +135,23 @@ void Wear::clear(std::size_t walls_of_scene, std::size_t species_of_scene) {
 }
 
 void Wear::add(std::span<const WearEntry> entries) {
-  const auto add_to = [](double* row, const WearRow& sum) {
-    for (std::size_t k = 0; k < kWearSums; ++k) row[k] += sum[k];
-  };
-  for (const WearEntry& listed : entries) {
-    const WearEntry entry = listed;  // so that it may stay in registers
-    add_to(cells.data() + std::size_t{entry.cell} * kWearSums, entry.sum);
-    add_to(walls.data() + std::size_t{entry.wall} * kWearSums, entry.sum);
-    add_to(species.data() + std::size_t{entry.species} * kWearSums, entry.sum);
+  using Row = Eigen::Array<double, kWearSums, 1>;
+  for (const WearEntry& entry : entries) {
+    const Row sum = Eigen::Map<const Row>(entry.sum.data());
+    const auto add_to = [&](Column<double>& rows, std::size_t row) {
+      Eigen::Map<Row>(rows.data() + row * kWearSums) += sum;
+    };
+    add_to(cells, entry.cell);
+    add_to(walls, entry.wall);
+    add_to(species, entry.species);
+  }
+}
+
+void Wear::prefetch(std::span<const WearEntry> entries) const {
+  for (const WearEntry& entry : entries) {
+    const double* row = cells.data() + std::size_t{entry.cell} * kWearSums;
+    __builtin_prefetch(row, 1);
+    __builtin_prefetch(row + kWearSums - 1, 1);
   }
 }
 

@@ -123,6 +123,7 @@ struct Wear {
   void clear(std::size_t walls_of_scene, std::size_t species_of_scene);
   bool fits() const { return cells.size() == cell_count() * kWearSums; }
   void add(std::span<const WearEntry> entries);
+  void prefetch(std::span<const WearEntry> entries) const;  // soon to be added
   WearRow total_of(const Column<double>& rows, std::size_t row) const;
 };
 

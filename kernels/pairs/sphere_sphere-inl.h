@@ -16,6 +16,7 @@
 #endif
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
 #include "kernels/episodes-inl.h"
@@ -294,6 +295,14 @@ HWY_INLINE void store_history(V (&c)[kNumbers], M touching, const HistoryView<Re
   for (std::size_t k = 0; k < kNumbers; ++k) hn::StoreU(c[k], d, to.numbers + k * to.stride + at);
 }
 
+// Lanes of contacts whose state has a bit.
+template <class Real>
+HWY_INLINE auto has_state(const Index* state, Index bit) {
+  using Row = hn::RebindToSigned<Lanes<Real>>;
+  const auto wanted = hn::Set(Row(), static_cast<hn::TFromD<Row>>(bit));
+  return hn::RebindMask(Lanes<Real>(), hn::TestBit(load_index<Real>(state), wanted));
+}
+
 // Where the next contact's history was and goes.
 struct HistoryPlace {
   std::size_t old = 0, now = 0;
@@ -305,65 +314,62 @@ HWY_INLINE HistoryView<Real> behind(const HistoryView<Real>& history) {
   return {history.numbers + kFirst * history.stride, history.stride};
 }
 
-// What a few vectors of contacts add up in Real.
-template <class Real, class Law>
-struct FewV {
-  TallyV<hn::Vec<Lanes<Real>>> tally;
+// Both partners of a full vector of pairs, and how they are apart.
+template <class Real, class V = hn::Vec<Lanes<Real>>>
+struct MeetingV {
+  BodyV<Real> a, b;
+  V radius_i, radius_j;
+  SeparationV<V> apart;
 };
-template <class Real, class Law>
-struct FewV<Real, Recorded<Law>> {
-  TallyV<hn::Vec<Lanes<Real>>> tally;
-  KindsV<hn::Vec<Lanes<Real>>> kinds;
-};
-
-// A full vector of contacts. Own ones give both partners their share and are tallied; of imported
-// ones only j is of this tile.
-template <class Real, class Law, bool kOwn>
-HWY_INLINE void sphere_sphere(const StepConstants<Real>& step, const ParticleView<Real>& p,
-                              const Index* i, const Index* j, const Index* state,
-                              const HistoryView<Real>& old_history,
-                              const HistoryView<Real>& new_history, const TileRows& tile,
-                              HistoryPlace& at, FewV<Real, Law>& few,
-                              PairCollisions<Real>* collisions) {
-  const Lanes<Real> d;
-  using V = hn::Vec<Lanes<Real>>;
+template <class Real>
+HWY_INLINE MeetingV<Real> load_meeting(const StepConstants<Real>& step, const ParticleView<Real>& p,
+                                       const Index* i, const Index* j) {
   constexpr std::size_t kLast = kHalves<Real> - 1, kHigh = kLast * hn::MaxLanes(D64());
-  const V zero = hn::Zero(d);
+  MeetingV<Real> m;
   hn::Vec<D64> low_d2, high_d2;
   const PlaceV<Real> low_i = load_places(p, i), low_j = load_places(p, j);
   const auto low_place = to_real<Real>(apart(step, low_i, low_j, low_d2));
   const PlaceV<Real> high_i = load_places(p, i + kHigh), high_j = load_places(p, j + kHigh);
   const auto high_place = to_real<Real>(apart(step, high_i, high_j, high_d2));
-  const V radius_i = join_radius(low_i, high_i), radius_j = join_radius(low_j, high_j);
-  SeparationV<V> s;
-  s.place = join<Real>(low_place, high_place);
-  s.d2 = join<Real>(to_real<Real>(low_d2), to_real<Real>(high_d2));
-  s.gap2 = join<Real>(gap2_of<Real, 0>(half_f64<Real, 0>(radius_i), radius_j, low_d2),
-                      gap2_of<Real, kLast>(half_f64<Real, kLast>(radius_i), radius_j, high_d2));
+  m.radius_i = join_radius(low_i, high_i);
+  m.radius_j = join_radius(low_j, high_j);
+  m.apart.place = join<Real>(low_place, high_place);
+  m.apart.d2 = join<Real>(to_real<Real>(low_d2), to_real<Real>(high_d2));
+  m.apart.gap2 =
+      join<Real>(gap2_of<Real, 0>(half_f64<Real, 0>(m.radius_i), m.radius_j, low_d2),
+                 gap2_of<Real, kLast>(half_f64<Real, kLast>(m.radius_i), m.radius_j, high_d2));
   const MotionV<Real> low_motion_i = load_motions(p, i), low_motion_j = load_motions(p, j);
   const MotionV<Real> high_motion_i = load_motions(p, i + kHigh);
   const MotionV<Real> high_motion_j = load_motions(p, j + kHigh);
-  s.velocity = join<Real>(to_real<Real>(low_motion_i.velocity - low_motion_j.velocity),
-                          to_real<Real>(high_motion_i.velocity - high_motion_j.velocity));
-  const BodyV<Real> a = join_bodies(low_i, high_i, low_motion_i, high_motion_i);
-  const BodyV<Real> b = join_bodies(low_j, high_j, low_motion_j, high_motion_j);
+  m.apart.velocity = join<Real>(to_real<Real>(low_motion_i.velocity - low_motion_j.velocity),
+                                to_real<Real>(high_motion_i.velocity - high_motion_j.velocity));
+  m.a = join_bodies(low_i, high_i, low_motion_i, high_motion_i);
+  m.b = join_bodies(low_j, high_j, low_motion_j, high_motion_j);
+  return m;
+}
+
+// A full vector of contacts. Own ones give both partners their share, are tallied and, if they are
+// recorded, told; of imported ones only j is of this tile.
+template <class Real, class Law, bool kOwn>
+HWY_INLINE void sphere_sphere(const StepConstants<Real>& step, const ParticleView<Real>& p,
+                              const Index* i, const Index* j, const Index* state,
+                              const HistoryView<Real>& old_history,
+                              const HistoryView<Real>& new_history, const TileRows& tile,
+                              HistoryPlace& at, TallyV<hn::Vec<Lanes<Real>>>& tally,
+                              ToldV<hn::Vec<Lanes<Real>>>* told) {
+  const Lanes<Real> d;
+  using V = hn::Vec<Lanes<Real>>;
+  constexpr std::size_t kLast = kHalves<Real> - 1;
+  const V zero = hn::Zero(d);
+  const auto [a, b, radius_i, radius_j, s] = load_meeting(step, p, i, j);
   V arm_i, arm_j;
   const TouchV<V> t = touch_of<Real, Law>(step, a, radius_i, b, radius_j, s, arm_i, arm_j);
 
   using Row = hn::RebindToSigned<Lanes<Real>>;
-  const auto states = load_index<Real>(state);
-  const auto is = [&](Index one) HWY_ATTR {
-    return hn::RebindMask(d,
-                          hn::TestBit(states, hn::Set(Row(), static_cast<hn::TFromD<Row>>(one))));
-  };
-  const auto touching = is(kTouches), open = is(kDidTouch);
+  const auto touching = has_state<Real>(state, kTouches);
+  const auto open = has_state<Real>(state, kDidTouch);
   V h[Law::kRolling ? kRollingHistory : kHistory];
   load_history(old_history, at.old, open, h);
-  [[maybe_unused]] EpisodeV<V> episode = {zero, zero, zero};
-  if constexpr (Law::kRecorded) {
-    if (step.recording == Recording::kOn)
-      load_history(behind<std::size(h)>(old_history), at.old, open, episode);
-  }
   at.old += hn::CountTrue(d, open);
   HistoryV<V> old = {{h[0], h[1], h[2]}, {h[3], h[4], h[5]}, {zero, zero, zero}};
   if constexpr (Law::kRolling) old.moment = {h[6], h[7], h[8]};
@@ -381,21 +387,11 @@ HWY_INLINE void sphere_sphere(const StepConstants<Real>& step, const ParticleVie
   keep(3, r.force);
   if constexpr (Law::kRolling) keep(6, r.moment);
   store_history(h, touching, new_history, at.now);
-  if constexpr (Law::kRecorded) {
-    const Changes changes = changes_of(d, touching, open);
-    follow_episodes<Real>(step.recording, t, r, touching, open, changes, episode);
-    if constexpr (kOwn) {
-      const V kind = pair_kinds<Real>(step.groups, a.group, b.group);
-      add_to_kinds<Real>(pair_kinds_among(step.groups), kind, r, few.kinds);
-      if (HWY_UNLIKELY((changes.begun | changes.ended) != 0) && step.recording == Recording::kOn)
-        tell_changes<Real>(changes, kind, t, episode, *collisions);
-    }
-    store_history(episode, touching, behind<std::size(h)>(new_history), at.now);
-  }
+  if constexpr (Law::kRecorded) tell(r, pair_kinds<Real>(step.groups, a.group, b.group), *told);
   at.now += hn::CountTrue(d, touching);
   if constexpr (kOwn) {
-    count_response<Real, Law>(r, touching, hn::Div(t.overlap, radius_i), radius_i,
-                              step.overlap_cap, few.tally);
+    count_response<Real, Law>(r, touching, hn::Div(t.overlap, radius_i), radius_i, step.overlap_cap,
+                              tally);
   }
 
   const Vec3V<V> twist = cross(r.tangential, t.normal);  // = -n x F_t
@@ -424,51 +420,102 @@ HWY_INLINE void prefetch_next_tile(const ParticleView<Real>& p, std::size_t firs
   }
 }
 
+// Approach and impact (J) of contacts that begin, as a vector of them; few do.
+template <class Real>
+struct ArrivalV {
+  hn::Vec<Lanes<Real>> approach, impact;
+};
+template <class Real, class Law>
+HWY_NOINLINE ArrivalV<Real> arrival_of(const StepConstants<Real>& step, const ParticleView<Real>& p,
+                                       const Index* i, const Index* j) {
+  const auto [a, b, radius_i, radius_j, s] = load_meeting(step, p, i, j);
+  hn::Vec<Lanes<Real>> arm_i, arm_j;
+  const auto t = touch_of<Real, Law>(step, a, radius_i, b, radius_j, s, arm_i, arm_j);
+  return {energy_of(hn::Mul(t.normal_velocity, t.normal_velocity), t.inverse_mass),
+          energy_of(dot(t.at_point, t.at_point), t.inverse_mass)};
+}
+
+// Contacts whose tallies are added in Real, and those whose energies by kind are.
+constexpr std::size_t kFew = 4 * kPairPad, kFewOfKinds = 4 * kFew;
+
+// Takes a few own contacts, which the law has told of, to their episodes. A loop of its own: in
+// that of the law too many numbers are in use for the registers.
+template <class Real, class Law>
+HWY_INLINE void record_few(const StepConstants<Real>& step, const ParticleView<Real>& p,
+                           const FoundPairs& found, std::size_t first, std::size_t last,
+                           const HistoryView<Real>& old, const HistoryView<Real>& now,
+                           HistoryPlace at, const ToldV<hn::Vec<Lanes<Real>>>* told,
+                           PairCollisions<Real>& collisions) {
+  const Lanes<Real> d;
+  using V = hn::Vec<Lanes<Real>>;
+  constexpr std::size_t kNumbers = Law::kRolling ? kRollingHistory : kHistory;
+  const HistoryView<Real> from = behind<kNumbers>(old), to = behind<kNumbers>(now);
+  const bool is_on = step.recording == Recording::kOn;
+  for (std::size_t k = first; k < last; k += hn::MaxLanes(d), ++told) {
+    const auto touching = has_state<Real>(found.state + k, kTouches);
+    const auto open = has_state<Real>(found.state + k, kDidTouch);
+    EpisodeV<V> e = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
+    if (HWY_LIKELY(is_on)) load_history(from, at.old, open, e);
+    follow_episodes<Real>(step.recording, *told, e);
+    const Changes changes = changes_of(d, touching, open);
+    if (HWY_UNLIKELY((changes.begun | changes.ended) != 0) && is_on) {
+      ArrivalV<Real> came = {e[2], e[2]};
+      if (changes.begun != 0) came = arrival_of<Real, Law>(step, p, found.i + k, found.j + k);
+      e[2] = hn::IfThenElse(hn::AndNot(open, touching), came.approach, e[2]);
+      tell_changes<Real>(changes, told->kind, hn::Add(e[0], e[1]), e[2], came.impact, collisions);
+    }
+    store_history(e, touching, to, at.now);
+    at.old += hn::CountTrue(d, open);
+    at.now += hn::CountTrue(d, touching);
+  }
+}
+
 // The second pass over one part.
 template <class Real, class Law, bool kOwn>
 HWY_INLINE void push_part(const StepConstants<Real>& step, const ParticleView<Real>& p,
                           const FoundPairs& found, const HistoryView<Real>& old,
                           const HistoryView<Real>& now, const TileRows& tile, HistoryPlace& at,
                           ContactTally& tally, PairCollisions<Real>* collisions) {
+  using V = hn::Vec<Lanes<Real>>;
   constexpr std::size_t kLanes = hn::MaxLanes(Lanes<Real>());
-  constexpr std::size_t kFew = 4 * kPairPad;  // contacts whose tallies are added in Real
-  constexpr std::size_t kFewOfKinds = 4 * kFew;
   [[maybe_unused]] const std::size_t kinds = pair_kinds_among(step.groups);
   const std::size_t first = kOwn ? 0 : found.imported_begin();
   const std::size_t last = first + (kOwn ? found.own : found.imported);
   TallySumV sum = zero_tally_sum();
-  FewV<Real, Law> few;
-  if constexpr (kOwn && Law::kRecorded) clear_sums(kinds, few.kinds);
+  [[maybe_unused]] std::conditional_t<Law::kRecorded, KindsV<V>, bool> of_kinds;
+  [[maybe_unused]] ToldV<V> told[Law::kRecorded ? kFew / kLanes : 1];
+  if constexpr (Law::kRecorded) clear_sums(kinds, of_kinds);
   for (std::size_t from = first; from < last; from += kFew) {
-    few.tally = zero_tally<Real>();
-    if constexpr (kOwn && Law::kRecorded) {
-      if (from % kFewOfKinds == 0) clear_few(kinds, few.kinds);
-    }
-    for (std::size_t k = from; k < std::min(last, from + kFew); k += kLanes) {
+    TallyV<V> few = zero_tally<Real>();
+    const std::size_t end = std::min(last, from + kFew);
+    [[maybe_unused]] const HistoryPlace before = at;
+    for (std::size_t k = from; k < end; k += kLanes) {
       sphere_sphere<Real, Law, kOwn>(step, p, found.i + k, found.j + k, found.state + k, old, now,
-                                     tile, at, few, collisions);
+                                     tile, at, few,
+                                     told + (Law::kRecorded ? (k - from) / kLanes : 0));
+    }
+    if constexpr (Law::kRecorded) {
+      if (from % kFewOfKinds == 0) clear_few(kinds, of_kinds);
+      add_to_kinds<Real>(kinds, told, (end - from + kLanes - 1) / kLanes, of_kinds);
+      if ((from + kFew) % kFewOfKinds == 0 || end == last) add_few<Real>(kinds, of_kinds);
+      record_few<Real, Law>(step, p, found, from, end, old, now, before, told, *collisions);
     }
     if constexpr (kOwn) {
-      add_few<Real>(few.tally, sum);
-      if constexpr (Law::kRecorded) {
-        if ((from + kFew) % kFewOfKinds == 0 || from + kFew >= last)
-          add_few<Real>(kinds, few.kinds);
-      }
+      add_few<Real>(few, sum);
       const std::size_t next = tile.first + tile.size;
-      prefetch_next_tile(p, next + from * tile.size / last,
-                         next + std::min(from + kFew, last) * tile.size / last);
+      prefetch_next_tile(p, next + from * tile.size / last, next + end * tile.size / last);
     }
   }
   if constexpr (kOwn) add_tally(sum, tally);
-  if constexpr (kOwn && Law::kRecorded) add_sums(kinds, few.kinds, sum, collisions->energies);
+  if constexpr (Law::kRecorded) add_sums(kinds, of_kinds, sum, collisions->energies);
 }
-template <class Real, class Law>
+template <class Real, class OfOwn, class OfImported>
 void push_parts(const StepConstants<Real>& step, const ParticleView<Real>& p,
                 const FoundPairs& found, const HistoryView<Real>& old, const HistoryView<Real>& now,
                 const TileRows& tile, ContactTally& tally, PairCollisions<Real>* collisions) {
   HistoryPlace at;
-  push_part<Real, Law, true>(step, p, found, old, now, tile, at, tally, collisions);
-  push_part<Real, Law, false>(step, p, found, old, now, tile, at, tally, collisions);
+  push_part<Real, OfOwn, true>(step, p, found, old, now, tile, at, tally, collisions);
+  push_part<Real, OfImported, false>(step, p, found, old, now, tile, at, tally, nullptr);
 }
 template <class Real, class Springs>
 void push_pairs(const StepConstants<Real>& step, const ParticleView<Real>& p,
@@ -476,9 +523,9 @@ void push_pairs(const StepConstants<Real>& step, const ParticleView<Real>& p,
                 const TileRows& tile, ContactTally& tally, PairCollisions<Real>* collisions) {
   const auto push = [&]<class Law>(Law) {
     if (collisions != nullptr) {
-      push_parts<Real, Recorded<Law>>(step, p, found, old, now, tile, tally, collisions);
+      push_parts<Real, Recorded<Law>, Law>(step, p, found, old, now, tile, tally, collisions);
     } else {
-      push_parts<Real, Law>(step, p, found, old, now, tile, tally, nullptr);
+      push_parts<Real, Law, Law>(step, p, found, old, now, tile, tally, nullptr);
     }
   };
   if (step.rolling) {
