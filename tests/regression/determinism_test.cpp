@@ -1,9 +1,10 @@
 // Same binary, same scene: the same bits for any number of threads, any order of the tiles, with or
 // without a restart, even after a kill.
 //
-// Two scenes: the laboratory mill in tiles of 4, and a small cut of the SAG slice (periodic, two
-// materials, sizes 1:4) in tiles of 16: both are about 100 tiles, more than eight for each of eight
-// threads. Runs start from a charge that has fallen and tumbled for 0.15 s.
+// Three scenes: the laboratory mill in tiles of 4, with linear springs and with those of Hertz and
+// Mindlin, and a small cut of the SAG slice (periodic, two materials, sizes 1:4) in tiles of 16:
+// all are about 100 tiles, more than eight for each of eight threads. Runs start from a charge that
+// has fallen and tumbled for 0.15 s.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -24,6 +25,12 @@ Scene lab_mill(const std::vector<std::string>& more = {}) {
   std::vector<std::string> overrides = {"run.settle=none", "run.tile_size=4"};
   overrides.insert(overrides.end(), more.begin(), more.end());
   return shipped_scene("lab_mill_spheres", overrides);
+}
+
+Scene lab_mill_hertz(const std::vector<std::string>& more = {}) {
+  std::vector<std::string> overrides = {"run.settle=none", "run.tile_size=4"};
+  overrides.insert(overrides.end(), more.begin(), more.end());
+  return shipped_scene("lab_mill_hertz", overrides);
 }
 
 Scene sag_slice(const std::vector<std::string>& more = {}) {
@@ -85,7 +92,9 @@ TEST_P(Determinism, GivesOtherBitsForAnotherSeedAndAnotherStep) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Determinism,
-                         testing::Values(Case{"LabMill", lab_mill}, Case{"SagSlice", sag_slice}),
+                         testing::Values(Case{"LabMill", lab_mill},
+                                         Case{"LabMillHertz", lab_mill_hertz},
+                                         Case{"SagSlice", sag_slice}),
                          [](const auto& test) { return test.param.name; });
 
 // Restored bits: every column and number of a world read back is the world that was written.

@@ -45,22 +45,15 @@ void for_each_target(const std::function<void(const std::string&)>& body) {
 // Of a sphere at x (m), with its velocity (m/s) and spin (rad/s).
 template <class Real>
 Record<Real> record_of(const Vec3& x, const Vec3& v, const Vec3& w, double radius) {
-  return {x.x(),
-          x.y(),
-          x.z(),
-          static_cast<Real>(radius),
-          static_cast<Real>(w.x()),
-          v.x(),
-          v.y(),
-          v.z(),
-          static_cast<Real>(w.y()),
-          static_cast<Real>(w.z())};
+  return {x.x(), x.y(), x.z(), static_cast<Real>(radius), static_cast<Real>(w.x()),
+          v.x(), v.y(), v.z(), static_cast<Real>(w.y()),  static_cast<Real>(w.z())};
 }
 
 struct CaseOptions {
   Index materials = 1;
   bool clamped = true, tangential_damping = true, rolling = false, periodic = false;
   ForceLaw law = ForceLaw::kLinearSpringDashpot;
+  double overlap_cap = 0;  // m; 0: none
 };
 
 inline std::vector<CaseOptions> all_options() {
@@ -70,6 +63,11 @@ inline std::vector<CaseOptions> all_options() {
       all.push_back({bits & 1 ? 3u : 1u, (bits & 2) != 0, (bits & 4) != 0, (bits & 8) != 0,
                      (bits & 16) != 0, law});
     }
+    // Two fifths of the overlaps are beyond the cap.
+    for (int bits = 0; bits < 8; ++bits) {
+      all.push_back(
+          {3, (bits & 1) != 0, (bits & 2) != 0, (bits & 4) != 0, false, law, 1e-2 * 7.5e-3});
+    }
   }
   return all;
 }
@@ -78,7 +76,8 @@ inline std::string name_of(const CaseOptions& o) {
   return std::string(o.law == ForceLaw::kHertzMindlin ? "Hertz-Mindlin, " : "") +
          std::string(o.materials > 1 ? "3 materials" : "1 material") +
          (o.clamped ? ", clamped" : ", unclamped") + (o.tangential_damping ? ", damped" : "") +
-         (o.rolling ? ", rolling" : "") + (o.periodic ? ", periodic" : "");
+         (o.rolling ? ", rolling" : "") + (o.periodic ? ", periodic" : "") +
+         (o.overlap_cap > 0 ? ", capped" : "");
 }
 
 // Symmetric tables of the law, magnitudes of ore and steel.
@@ -125,6 +124,7 @@ StepConstants<Real> constants(const CaseOptions& o, const RandomLaw<Real>& law) 
   c.clamped = o.clamped;
   c.rolling = o.rolling;
   c.damped = o.tangential_damping;
+  c.overlap_cap = o.overlap_cap;
   c.nearest2 = HUGE_VAL;
   if (o.periodic) {
     c.period[2] = 0.5;
@@ -152,7 +152,9 @@ enum class TouchState { kFresh, kPersisting, kLost, kApart };
 // As the kernels have it.
 template <class Real>
 twin::History rounded(const twin::History& h) {
-  const auto round = [](const Vec3& v) { return Vec3(v.template cast<Real>().template cast<double>()); };
+  const auto round = [](const Vec3& v) {
+    return Vec3(v.template cast<Real>().template cast<double>());
+  };
   return {round(h.spring), round(h.force), round(h.moment)};
 }
 
@@ -218,7 +220,8 @@ struct PairCases {
   }
 
   ParticleView<Real> particles() const { return {record.data(), traits.data()}; }
-  // A step of the tile, to which the first `own` slots (whole blocks) belong; the others are imported.
+  // A step of the tile, to which the first `own` slots (whole blocks) belong; the others are
+  // imported.
   void push(std::size_t own, const StepConstants<Real>& step, const TileRows& rows,
             ContactTally& tally) {
     for (std::size_t k = 0; k < slots; ++k) {
@@ -258,7 +261,8 @@ struct PairCases {
       Record<Real>& r = record[at];
       r.radius = static_cast<Real>(side == 0 ? random(0.005, 0.01) : random(0.01, 0.05));
       const double size = static_cast<double>(r.radius);
-      traits[at].inverse_mass = static_cast<Real>(1 / (random(1000, 8000) * 4.19 * size * size * size));
+      traits[at].inverse_mass =
+          static_cast<Real>(1 / (random(1000, 8000) * 4.19 * size * size * size));
       material[side] = static_cast<Index>(random.below(o.materials));
       traits[at].tag = make_tag(material[side], static_cast<std::uint32_t>(random.below(12)));
       const Vec3 spin = random.in_cube(50);
@@ -284,8 +288,8 @@ struct PairCases {
   }
 
   void make_history(std::size_t k, const CaseOptions& o, const RandomLaw<Real>& law,
-                   TouchState state, const Index (&material)[2], double overlap,
-                   const Vec3& normal_old, Random& random) {
+                    TouchState state, const Index (&material)[2], double overlap,
+                    const Vec3& normal_old, Random& random) {
     twin::History h;
     if (state == TouchState::kPersisting || state == TouchState::kLost) {
       const auto at = twin::coefficients(law.table(o.materials), material[0], material[1]);
@@ -301,12 +305,13 @@ struct PairCases {
   bool is_clear(std::size_t k, const CaseOptions& o, const RandomLaw<Real>& law) const {
     const StepConstants<Real> step = constants(o, law);
     const twin::Contact c = twin::sphere_sphere(step, particles(), i[k], j[k]);
-    const auto coefficients =
-        twin::coefficients(step.law, tag_material(traits[i[k]].tag), tag_material(traits[j[k]].tag));
-    const twin::Response r =
-        twin::respond(coefficients, c, history(k), {step.dt, o.clamped, o.rolling, 0});
+    const auto coefficients = twin::coefficients(step.law, tag_material(traits[i[k]].tag),
+                                                 tag_material(traits[j[k]].tag));
+    const twin::Response r = twin::respond(coefficients, c, history(k),
+                                           {step.dt, o.clamped, o.rolling, 0, 0, o.overlap_cap});
     const double depth = c.overlap / c.i.radius;
     return std::abs(depth) > 1e-8 && std::abs(depth - 0.5) > 1e-3 &&
+           std::abs(c.overlap - o.overlap_cap) > 1e-3 * o.overlap_cap &&
            (!c.touching || (r.fresh_margin > 1e-3 && r.slide_margin > 1e-3));
   }
 };

@@ -94,6 +94,7 @@ struct Options {
   bool clamped = true, rolling = false;
   double eps = 0;
   double history_eps = 0;  // the spacing of stored springs and normals, where it is another
+  double overlap_cap = 0;  // m, of spheres and walls, whose contacts have no `spring`; 0: none
 };
 
 struct Response {
@@ -284,12 +285,13 @@ inline void set_errors(const Coefficients& table, const Coefficients& k, const C
 }
 
 // `table` is of the pair of materials. What is lost gives back what it was a step ago.
-inline Response respond(const Coefficients& table, const Contact& c, const History& old,
+inline Response respond(const Coefficients& table, Contact c, const History& old,
                         const Options& o) {
   Response r;
-  const double reduced = c.reduced_radius();
-  const Coefficients k_old = at_overlap(table, c.overlap_old, reduced);
-  const Coefficients k = c.touching ? at_overlap(table, c.overlap, reduced) : k_old;
+  const double reduced = c.reduced_radius(), cap = o.overlap_cap > 0 ? o.overlap_cap : HUGE_VAL;
+  const Coefficients k_old = at_overlap(table, std::min(c.overlap_old, cap), reduced);
+  const Coefficients k = c.touching ? at_overlap(table, std::min(c.overlap, cap), reduced) : k_old;
+  if (o.overlap_cap > 0) c.spring = capped_spring(table, c.overlap, reduced, cap);
   Terms t = terms(k, c, o.dt);
   t.kt_old = terms(k_old, c, o.dt).kt;
   t.damped = table.tangential_damping > 0;

@@ -37,13 +37,15 @@ void check_pairs(const CaseOptions& o, std::size_t count, std::size_t own, unsig
   std::vector<twin::Contact> contact;
   std::vector<twin::Response> expected;
   TallyTwin tally;
+  tally.cap = o.overlap_cap;
   for (std::size_t k = 0; k < count; ++k) {
     const Index i = cases.i[k], j = cases.j[k];
     contact.push_back(twin::sphere_sphere(step, cases.particles(), i, j));
-    expected.push_back(twin::respond(twin::coefficients(step.law, tag_material(cases.traits[i].tag),
-                                                        tag_material(cases.traits[j].tag)),
-                                     contact[k], cases.history(k),
-                                     {step.dt, o.clamped, o.rolling, kEps<Real>}));
+    expected.push_back(
+        twin::respond(twin::coefficients(step.law, tag_material(cases.traits[i].tag),
+                                         tag_material(cases.traits[j].tag)),
+                      contact[k], cases.history(k),
+                      {step.dt, o.clamped, o.rolling, kEps<Real>, 0, o.overlap_cap}));
     if (k < own) tally.add(contact[k], expected[k]);
   }
   Rows rows(2 * count);
@@ -88,7 +90,7 @@ TYPED_TEST(KernelTwins, OfSphereSphereAgreeOnEveryTarget) {
 
 // The tests above are worth what their cases are: all of these must occur among them.
 TEST(KernelCases, CoverEveryStateOfAContact) {
-  int fresh = 0, held = 0, slid = 0, lost = 0, apart = 0, pulling = 0;
+  int fresh = 0, held = 0, slid = 0, lost = 0, apart = 0, pulling = 0, capped = 0;
   unsigned seed = 1;
   for (const CaseOptions& o : all_options()) {
     const RandomLaw<double> law(o, ++seed);
@@ -100,16 +102,17 @@ TEST(KernelCases, CoverEveryStateOfAContact) {
       const twin::Response r =
           twin::respond(twin::coefficients(step.law, tag_material(cases.traits[i].tag),
                                            tag_material(cases.traits[j].tag)),
-                        c, cases.history(k), {step.dt, o.clamped, o.rolling, 0});
+                        c, cases.history(k), {step.dt, o.clamped, o.rolling, 0, 0, o.overlap_cap});
       fresh += r.fresh;
       held += c.touching && !r.fresh && !r.slides;
       slid += c.touching && !r.fresh && r.slides;
       lost += !c.touching && cases.history(k).force.norm() > 0;
       apart += !c.touching && cases.history(k).force.norm() == 0;
       pulling += c.touching && !o.clamped && r.force.dot(c.normal) < 0;
+      capped += o.overlap_cap > 0 && c.overlap > o.overlap_cap;
     }
   }
-  for (const int seen : {fresh, held, slid, lost, apart, pulling}) EXPECT_GT(seen, 5);
+  for (const int seen : {fresh, held, slid, lost, apart, pulling, capped}) EXPECT_GT(seen, 5);
 }
 
 // A contact between two tiles: each tile has it in another place among other contacts, and knows
@@ -214,7 +217,7 @@ TYPED_TEST(KernelTwins, OfExchangedPartnersAreOpposite) {
                                                      tag_material(one.traits[2 * k + 1].tag));
         const auto contact = twin::sphere_sphere(step, one.particles(), one.i[k], one.j[k]);
         error[k] = twin::respond(coefficients, contact, one.history(k),
-                                 {step.dt, o.clamped, o.rolling, kEps<Real>})
+                                 {step.dt, o.clamped, o.rolling, kEps<Real>, 0, o.overlap_cap})
                        .force_error;
       }
       Rows rows(2 * kMostContacts);
@@ -299,6 +302,7 @@ void check_walls(const CaseOptions& o, std::size_t count, unsigned seed) {
   std::vector<twin::Response> expected(count);
   std::vector<twin::History> before(count);
   TallyTwin tally;
+  tally.cap = o.overlap_cap;
   for (std::size_t k = 0; k < count; ++k) {
     particle[k] = static_cast<Index>(2 * k);
     const Record<Real>& r = cases.record[2 * k];
@@ -333,8 +337,9 @@ void check_walls(const CaseOptions& o, std::size_t count, unsigned seed) {
       walls.geometry[7][k] = overlap_old;
       contact[k] = twin::sphere_facet(cases.particles(), walls, k);
       expected[k] = twin::respond(coefficients, contact[k], before[k],
-                                  {step.dt, o.clamped, o.rolling, kEps<double>});
-    } while (expected[k].fresh_margin < 1e-3 || expected[k].slide_margin < 1e-3);
+                                  {step.dt, o.clamped, o.rolling, kEps<double>, 0, o.overlap_cap});
+    } while (expected[k].fresh_margin < 1e-3 || expected[k].slide_margin < 1e-3 ||
+             std::abs(contact[k].overlap - o.overlap_cap) < 1e-3 * o.overlap_cap);
     tally.add(contact[k], expected[k]);
   }
   Rows rows(2 * count);
