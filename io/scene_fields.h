@@ -35,7 +35,6 @@ using Words = std::span<const char* const>;
 // The words of each enumeration, in its order.
 enum class Direction { kCounterclockwise, kClockwise };
 enum class WallKind { kMesh, kPlane, kBox };
-inline constexpr const char* kPrecisionWords[] = {"mixed", "double"};
 inline constexpr const char* kNormalForceWords[] = {"clamped", "unclamped"};
 inline constexpr const char* kEndWords[] = {"walls", "periodic", "open"};
 inline constexpr const char* kStartWords[] = {"fill", "file"};
@@ -116,7 +115,9 @@ void fields(Io& io, RunSpec& run) {
       "hundredth of it at the start; default: off, contacts of polyhedra alone are capped",
       kLength, Range::kPositive},
      run.overlap_cap);
-  io({"precision", "of forces and springs; places, velocities and spins are always double"},
+  io({"precision",
+      "of forces and springs; single is mixed with a faster search for who touches; places, "
+      "velocities and spins are always double"},
      run.precision);
   io({"tile_size", "particles per tile; default: a 32nd of all, 512 to 2048", kNumber,
       Range::kPositive},

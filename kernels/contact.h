@@ -11,9 +11,11 @@
 #include "soa/base.h"
 #include "soa/collisions.h"
 #include "soa/force_law.h"
+#include "soa/grid_place.h"
 #include "soa/groups.h"
 #include "soa/motion.h"
 #include "soa/pairs.h"
+#include "soa/precision.h"
 #include "soa/record.h"
 #include "soa/wear.h"
 
@@ -46,6 +48,7 @@ struct StepConstants {
   double period[3];          // m; 0: not periodic
   double inverse_period[3];  // 1/m; 0: not periodic
   double nearest2 = 0;       // m^2, least half period: of two that are nearer none is an image
+  PlaceGrid grid;            // `single`
   double overlap_cap = 0;    // m, spheres push as if no deeper; 0: none
   Recording recording = Recording::kOff;
   Index groups = 0;            // of particles
@@ -59,6 +62,7 @@ template <class Real>
 struct ParticleView {
   const Record<Real>* record;
   const Traits<Real>* traits;
+  const GridPlace* on_grid = nullptr;  // `single`: of the records
 };
 
 // One tile's slice of a pair batch, see soa/pairs.h; blocks from `own` on are imported ones.
@@ -67,14 +71,15 @@ struct PairView {
   const Index* owner;      // kPairPad a block
   const Index* row_begin;  // blocks + 1, into the rows of the batch
   const Index* partner;    // kPairPad a row
-  std::uint16_t* open;     // of each row, bits of lanes: who touched a step ago; on return, now
+  std::uint16_t* open;     // of each row, bits of lanes: who was found a step ago; on return, now
   Index* first_contact;    // of each row, out
   std::size_t own, all;    // blocks
 };
 
-// Pairs of a tile that touch or did so in the last step, in the order of its rows and lanes. Own
-// ones come first; each part is padded to kPairPad by lanes of a particle with itself. Room for all
-// slots of the tile and kPairPad more.
+// Pairs of a tile that touch or did so in the last step, in the order of its rows and lanes;
+// `single` finds some that are next to touching as well, whose histories are zeros. Own ones come
+// first; each part is padded to kPairPad by lanes of a particle with itself. Room for all slots of
+// the tile and kPairPad more.
 struct FoundPairs {
   Index *i, *j, *state;  // state: kTouches, kDidTouch
   std::size_t own = 0, imported = 0;
@@ -174,6 +179,8 @@ struct MoveView {
   Record<Real>* next;
   const Traits<Real>* traits_now;
   Traits<Real>* traits_next;
+  GridPlace* on_grid_next;  // `single`, else null
+  const PlaceGrid* grid;
   double* spin[3];              // f64 spin, rad/s
   const double* list_place[3];  // position when the lists were built
   const float* list_velocity[3];
@@ -223,12 +230,14 @@ struct Kernels {
 };
 
 // The kernels for the best target this CPU and `use_simd_target` allow. Each law is compiled for
-// itself: what one costs is nothing to scenes of another.
+// itself: what one costs is nothing to scenes of another. Those of float are of `mixed` or
+// `single`.
 template <class Real>
-Kernels<Real> choose_kernels(ForceLaw law = ForceLaw::kLinearSpringDashpot);
+Kernels<Real> choose_kernels(ForceLaw law = ForceLaw::kLinearSpringDashpot,
+                             Precision precision = Precision::kMixed);
 template <>
-Kernels<float> choose_kernels<float>(ForceLaw law);
+Kernels<float> choose_kernels<float>(ForceLaw law, Precision precision);
 template <>
-Kernels<double> choose_kernels<double>(ForceLaw law);
+Kernels<double> choose_kernels<double>(ForceLaw law, Precision);
 
 }  // namespace quern

@@ -16,9 +16,10 @@ namespace HWY_NAMESPACE {
 
 template <class Springs>
 Kernels<double> kernels_of() {
-  return {&find_pairs<double>,   &push_pairs<double, Springs>, &sphere_facet<double, Springs>,
-          &move_spheres<double>, &gather_spheres<double>,      &push_spheres<double, Springs>,
-          &push_bodies<Springs>, hwy::TargetName(HWY_TARGET)};
+  return {&find_pairs<InRecords<double>>, &push_pairs<double, Springs>,
+          &sphere_facet<double, Springs>, &move_spheres<double>,
+          &gather_spheres<double>,        &push_spheres<double, Springs>,
+          &push_bodies<Springs>,          hwy::TargetName(HWY_TARGET)};
 }
 
 Kernels<double> kernels_double(ForceLaw law) {
@@ -35,7 +36,7 @@ namespace quern {
 HWY_EXPORT(kernels_double);
 
 template <>
-Kernels<double> choose_kernels<double>(ForceLaw law) {
+Kernels<double> choose_kernels<double>(ForceLaw law, Precision) {
   return HWY_DYNAMIC_DISPATCH(kernels_double)(law);
 }
 

@@ -1,4 +1,5 @@
-// The kernels in `mixed` precision, compiled once for every SIMD target and chosen at run time.
+// The kernels in `mixed` and `single` precision, compiled once for every SIMD target and chosen at
+// run time.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "kernels/contact_mixed.cpp"
 #include <hwy/foreach_target.h>
@@ -16,13 +17,16 @@ namespace HWY_NAMESPACE {
 
 template <class Springs>
 Kernels<float> kernels_of() {
-  return {&find_pairs<float>,    &push_pairs<float, Springs>, &sphere_facet<float, Springs>,
-          &move_spheres<float>,  &gather_spheres<float>,      &push_spheres<float, Springs>,
-          &push_bodies<Springs>, hwy::TargetName(HWY_TARGET)};
+  return {&find_pairs<InRecords<float>>, &push_pairs<float, Springs>, &sphere_facet<float, Springs>,
+          &move_spheres<float>,          &gather_spheres<float>,      &push_spheres<float, Springs>,
+          &push_bodies<Springs>,         hwy::TargetName(HWY_TARGET)};
 }
 
-Kernels<float> kernels_mixed(ForceLaw law) {
-  return law == ForceLaw::kHertzMindlin ? kernels_of<HertzMindlin>() : kernels_of<LinearSprings>();
+Kernels<float> kernels_mixed(ForceLaw law, Precision precision) {
+  Kernels<float> kernels =
+      law == ForceLaw::kHertzMindlin ? kernels_of<HertzMindlin>() : kernels_of<LinearSprings>();
+  if (precision == Precision::kSingle) kernels.find_pairs = &find_pairs<OnGrid>;
+  return kernels;
 }
 
 }  // namespace HWY_NAMESPACE
@@ -35,8 +39,8 @@ namespace quern {
 HWY_EXPORT(kernels_mixed);
 
 template <>
-Kernels<float> choose_kernels<float>(ForceLaw law) {
-  return HWY_DYNAMIC_DISPATCH(kernels_mixed)(law);
+Kernels<float> choose_kernels<float>(ForceLaw law, Precision precision) {
+  return HWY_DYNAMIC_DISPATCH(kernels_mixed)(law, precision);
 }
 
 }  // namespace quern

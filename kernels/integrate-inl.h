@@ -8,6 +8,8 @@
 #define QUERN_INTEGRATE_INL_H_
 #endif
 
+#include <algorithm>
+
 #include "kernels/pair_loop-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -66,6 +68,39 @@ HWY_INLINE void store_full_records(const Vec3V<hn::Vec<D64>>& x, const Vec3V<hn:
   turn_to_rows(c, [&](std::size_t lane, std::size_t at, hn::Vec<D64> numbers) HWY_ATTR {
     hn::Stream(numbers, D64(), reinterpret_cast<double*>(to + lane) + at);
   });
+}
+
+template <class Real, class V>
+HWY_INLINE hn::Vec<HalfLanes<float>> to_f32(V v) {
+  if constexpr (sizeof(Real) == sizeof(float)) {
+    return v;
+  } else {
+    return hn::DemoteTo(HalfLanes<float>(), v);
+  }
+}
+// Where they will be on the grid of `single`.
+template <class Real>
+HWY_INLINE void store_on_grid(const PlaceGrid& grid, const Vec3V<hn::Vec<D64>>& x,
+                              hn::Vec<HalfLanes<Real>> radius, std::size_t count, GridPlace* to) {
+  const D64 d;
+  const D32I di;
+  constexpr std::size_t kLanes = hn::MaxLanes(d);
+  const auto number = [&](auto v, std::size_t axis) HWY_ATTR {
+    const auto moved =
+        hn::Add(hn::Mul(v, hn::Set(d, grid.inverse[axis])), hn::Set(d, PlaceGrid::kToInteger));
+    return hn::BitCast(di, hn::TruncateTo(D32U(), hn::BitCast(D64U(), moved)));
+  };
+  HWY_ALIGN GridPlace place[kLanes];
+#if HWY_TARGET == HWY_SCALAR
+  place[0] = {hn::GetLane(number(x.x, 0)), hn::GetLane(number(x.y, 1)), hn::GetLane(number(x.z, 2)),
+              hn::GetLane(to_f32<Real>(radius))};
+#else
+  std::int32_t* const numbers = reinterpret_cast<std::int32_t*>(count == kLanes ? to : place);
+  hn::StoreInterleaved4(number(x.x, 0), number(x.y, 1), number(x.z, 2),
+                        hn::BitCast(di, to_f32<Real>(radius)), di, numbers);
+  if (count == kLanes) return;
+#endif
+  std::copy_n(place, count, to);
 }
 
 // Asks for what a later block of the tile will need; past the end it is the next tile's.
@@ -130,6 +165,9 @@ void move_spheres(const MoveView<Real>& m, const TileRows& tile, double dt, Move
       }
     } else {
       store_records<Real>(place, velocity, spin, p.radius, count, m.next + at);
+    }
+    if (m.on_grid_next != nullptr) {
+      store_on_grid<Real>(*m.grid, place, p.radius, count, m.on_grid_next + at);
     }
     hn::BlendedStore(spin.x, live, d, m.spin[0] + at);
     hn::BlendedStore(spin.y, live, d, m.spin[1] + at);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "kernels/laws/damping.h"
 #include "kernels/rotate.h"
@@ -457,6 +458,7 @@ World<Real> make_world(const Scene& scene, SceneGeometry geometry,
   world.periodic = geometry.periodic;
   world.materials = static_cast<Index>(scene.materials.size());
   world.force_law = scene.contact.law;
+  world.precision = scene.run.precision;
   world.clamped = scene.contact.normal_force == NormalForce::kClamped;
   for (const PairValues& p : resolve_pairs(scene)) {
     world.rolling = world.rolling || p.rolling_friction > 0;
@@ -474,7 +476,7 @@ World<Real> make_world(const Scene& scene, SceneGeometry geometry,
   world.patch = {scene.contact.overlap, scene.contact.normal_model,
                  scene.contact.volume_stiffness.value_or(0), scene.contact.patch_damping};
   world.polyhedra.first_id = static_cast<Index>(count_spheres(all));
-  world.smallest_radius = radius_range(all).first;
+  std::tie(world.smallest_radius, world.largest_radius) = radius_range(all);
   world.clock.slack = scene.run.list_slack.value_or(0.2 * world.smallest_radius);
   world.clock.fixed_slack = scene.run.list_slack ? 1 : 0;
   world.clock.dt = choose_time_step(scene, all);

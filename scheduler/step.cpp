@@ -28,7 +28,9 @@ LawTable<Real> table_of(const Columns& law, Index materials, ForceLaw kind) {
 
 template <class Real>
 Stepper<Real>::Stepper(World<Real>& world, int threads)
-    : world_(world), graph_(threads), kernels_(choose_kernels<Real>(world.force_law)) {
+    : world_(world),
+      graph_(threads),
+      kernels_(choose_kernels<Real>(world.force_law, world.precision)) {
   workers_.resize(static_cast<std::size_t>(graph_.threads()));
   for (Worker& w : workers_) w.rows.reset((world.tile_size + 16u) * kRowWidth);
 }
@@ -68,6 +70,25 @@ void Stepper<Real>::prepare() {
   if (world_.wear.records()) tile_wear_.resize(world_.tiles());
   if (world_.collisions.on()) tile_collisions_.resize(world_.tiles());
   world_.wall_totals.resize(world_.walls.size());
+}
+
+// What the motion kernel goes on with until particles are put into another order.
+template <class Real>
+void Stepper<Real>::place_on_grid() {
+  if (world_.precision != Precision::kSingle) return;
+  const Particles<Real>& p = world_.particles;
+  const PlaceGrid grid(world_.low, world_.high, world_.periodic, world_.largest_radius);
+  constants_.grid = grid;
+  on_grid_.reset(p.size());
+  on_grid_next_.reset(p.size());
+  graph_.for_each(world_.tiles(), [&](std::size_t tile, int) {
+    const std::size_t first = tile * world_.tile_size;
+    const std::size_t last = std::min<std::size_t>(p.size(), first + world_.tile_size);
+    for (std::size_t k = first; k < last; ++k) {
+      const Record<Real>& r = p.record[k];
+      on_grid_[k] = grid.at(r.x, r.y, r.z, static_cast<float>(r.radius));
+    }
+  });
 }
 
 template <class Real>
@@ -131,8 +152,8 @@ void Stepper<Real>::run_tile(std::size_t tile, int worker) {
   w.times.add(Stage::kSphereWalls, watch);
 
   if (!world_.collisions_asked.kinds) collisions = nullptr;
-  push_tile_pairs(kernels_, constants_, {p.record.data(), p.traits.data()}, world_.pairs, tile,
-                  rows, w.pairs, totals.pairs, collisions);
+  push_tile_pairs(kernels_, constants_, {p.record.data(), p.traits.data(), on_grid_.data()},
+                  world_.pairs, tile, rows, w.pairs, totals.pairs, collisions);
   w.times.add(Stage::kSpherePairs, watch);
   if (bodies_) {
     const double spheres = totals.pairs.contacts;
@@ -146,6 +167,8 @@ void Stepper<Real>::run_tile(std::size_t tile, int worker) {
   m.next = p.record_next.data();
   m.traits_now = p.traits.data();
   m.traits_next = p.traits_next.data();
+  m.on_grid_next = on_grid_next_.data();
+  m.grid = &constants_.grid;
   Column<double>* spin[3] = {&p.spin_x, &p.spin_y, &p.spin_z};
   Column<double>* place[3] = {&p.list_x, &p.list_y, &p.list_z};
   Column<float>* velocity[3] = {&p.list_vx, &p.list_vy, &p.list_vz};
@@ -447,14 +470,18 @@ StepReport Stepper<Real>::step() {
     move_walls();
     rebuild(world_, graph_, rebuild_);
     relister_.forget();
+    place_on_grid();
     times_.rebuild += watch.lap();
     ++times_.rebuilds;
+  } else if (on_grid_.empty()) {
+    place_on_grid();
   }
   move_walls();
   run_tasks(rebuilds);
   times_.tasks += watch.lap();
   std::swap(world_.particles.record, world_.particles.record_next);
   std::swap(world_.particles.traits, world_.particles.traits_next);
+  std::swap(on_grid_, on_grid_next_);
   add_tiles();
   add_wear();
   account();

@@ -52,6 +52,7 @@ class Stepper {
   };
 
   void prepare();
+  void place_on_grid();
   void move_walls();
   void run_tile(std::size_t tile, int worker);
   void run_walls(std::size_t tile, Worker& worker, const TileRows& rows,
@@ -75,6 +76,7 @@ class Stepper {
   Relister<Real> relister_;
   StepConstants<Real> constants_{};
   StepConstants<double> wall_constants_{};
+  Column<GridPlace> on_grid_, on_grid_next_;  // `single`: of the records now and next
   std::vector<Worker> workers_;
   std::vector<TileTotals> tile_totals_;
   std::vector<WallTotal> tile_walls_;  // tiles x walls

@@ -74,6 +74,11 @@ void count_spheres(const World<Real>& world, StepCost& cost) {
       kBoth * (bytes_of(pairs.open) + histories) + bytes_of(pairs.first_contact);
   bytes(Stage::kMotion) += kBoth * (bytes_of(p.record) + bytes_of(p.traits) + bytes_of(p.spin_x) +
                                     bytes_of(p.spin_y) + bytes_of(p.spin_z));
+  const bool on_grid = world.precision == Precision::kSingle;
+  if (on_grid) {
+    bytes(Stage::kSpherePairs) += n * sizeof(GridPlace);
+    bytes(Stage::kMotion) += n * sizeof(GridPlace);
+  }
   for (const ColumnBase* column :
        std::initializer_list<const ColumnBase*>{&p.list_x, &p.list_y, &p.list_z, &p.list_vx,
                                                 &p.list_vy, &p.list_vz, &p.list_allowance}) {
@@ -93,7 +98,7 @@ void count_spheres(const World<Real>& world, StepCost& cost) {
                         kBoth * (slots.listed * sizeof(CandidatePair) + bytes_of(pairs.partner) +
                                  histories);
 
-  add(kOfIdleSlot, slots.listed, cost.operations);
+  add(on_grid ? kOfSlotOnGrid : kOfIdleSlot, slots.listed, cost.operations);
   add(kOfTouchingSlot, slots.open, cost.operations);
   if (world.damped) add(kOfDamping, slots.open, cost.operations);
   if (world.rolling) add(kOfRolling, slots.open, cost.operations);

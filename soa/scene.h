@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "soa/force_law.h"
+#include "soa/precision.h"
 #include "soa/shapes.h"
 
 namespace quern {
 
-enum class Precision { kMixed, kDouble };
 enum class NormalForce { kClamped, kUnclamped };
 enum class EndKind { kWalls, kPeriodic, kOpen };
 enum class StartKind { kFill, kFile };

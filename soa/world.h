@@ -18,6 +18,7 @@
 #include "soa/pairs.h"
 #include "soa/particles.h"
 #include "soa/polyhedra.h"
+#include "soa/precision.h"
 #include "soa/report.h"
 #include "soa/size_classes.h"
 #include "soa/wall_spring.h"
@@ -121,12 +122,13 @@ template <class Real>
 struct World {
   // From the scene; constant.
   Index tile_size = 1024;
-  double smallest_radius = 0;  // m
+  double smallest_radius = 0, largest_radius = 0;  // m
   Vec3 gravity = Vec3::Zero();
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();  // domain, as far as it was filled; saved
   std::array<bool, 3> periodic{};
   Index materials = 1;
   ForceLaw force_law = ForceLaw::kLinearSpringDashpot;
+  Precision precision = Precision::kMixed;
   LawColumns<Real> law;
   LawColumns<double> wall_law;
   bool clamped = true, rolling = false, damped = true;

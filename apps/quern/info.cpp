@@ -51,7 +51,7 @@ int info_command() {
   std::string targets;
   for (const std::string& target : simd_targets()) targets += ' ' + target;
   log_info(fmt::format("\nSIMD targets on this machine, best first:{}", targets));
-  log_info(fmt::format("chosen: mixed {}, double {}", choose_kernels<float>().target,
+  log_info(fmt::format("chosen: mixed and single {}, double {}", choose_kernels<float>().target,
                        choose_kernels<double>().target));
   return 0;
 }

@@ -109,9 +109,7 @@ std::uint64_t peak_memory() {
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
 }
 
-const char* precision_name(const Scene& scene) {
-  return scene.run.precision == Precision::kDouble ? "double" : "mixed";
-}
+const char* precision_name(const Scene& scene) { return word_of(scene.run.precision); }
 
 Recorder::Recorder(const std::string& folder, const Scene& scene, double dt,
                    const std::vector<Wall>& walls, const Groups& groups,

@@ -117,9 +117,9 @@ bool any_polyhedra(const Scene& scene) {
 
 void add_precision(const LoadedScene& loaded, Rows& rows) {
   const Precision own = loaded.scene.run.precision;
-  for (const auto& [precision, name] :
-       {std::pair{Precision::kMixed, "mixed"}, std::pair{Precision::kDouble, "double"}}) {
+  for (const Precision precision : {Precision::kSingle, Precision::kMixed, Precision::kDouble}) {
     if (precision == own) continue;
+    const char* name = word_of(precision);
     rows.push_back({"precision",
                     name,
                     {fmt::format("precision_{}", name),

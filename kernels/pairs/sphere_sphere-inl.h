@@ -1,8 +1,7 @@
-// Sphere against sphere: the contact loops of the batch that dominates most scenes.
+// Sphere against sphere: the law over all who touch.
 //
-// Two passes over a tile. The first finds who touches: a row of a block at once, the owners in
-// registers, half a cache line of each partner. The second applies the law to what was found: a
-// quarter of the listed pairs of a mill, packed into full vectors.
+// The second of two passes over a tile. The first (touching_spheres-inl.h) finds who touches: a
+// quarter of the listed pairs of a mill, packed into full vectors here.
 //
 // Overlap is (R^2 - d^2) / (R + d) with R^2 - d^2 in f64, so that a static overlap of 1e-9 m at 5 m
 // from the origin is right to 1e-7 of itself although the rest of the force is f32 in `mixed`. The
@@ -20,37 +19,11 @@
 #include <utility>
 
 #include "kernels/episodes-inl.h"
+#include "kernels/pairs/touching_spheres-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace quern {
 namespace HWY_NAMESPACE {
-
-HWY_INLINE hn::Vec<D64> nearest_image(hn::Vec<D64> dx, double period, double inverse_period) {
-  const D64 d;
-  const auto turns = hn::Round(hn::Mul(dx, hn::Set(d, inverse_period)));
-  return hn::NegMulAdd(turns, hn::Set(d, period), dx);
-}
-
-// Where i is from j, f64. An image is nearer only where some pair lies further apart than half a
-// period: next to never, so that lanes are asked together.
-template <class Real>
-HWY_INLINE Vec3V<hn::Vec<D64>> apart(const StepConstants<Real>& step, const PlaceV<Real>& i,
-                                     const PlaceV<Real>& j, hn::Vec<D64>& d2) {
-  const D64 d;
-  Vec3V<hn::Vec<D64>> dx = i.place - j.place;
-  d2 = dot(dx, dx);
-  if (HWY_LIKELY(hn::AllFalse(d, hn::Gt(d2, hn::Set(d, step.nearest2))))) return dx;
-  if (step.period[0] > 0) dx.x = nearest_image(dx.x, step.period[0], step.inverse_period[0]);
-  if (step.period[1] > 0) dx.y = nearest_image(dx.y, step.period[1], step.inverse_period[1]);
-  if (step.period[2] > 0) dx.z = nearest_image(dx.z, step.period[2], step.inverse_period[2]);
-  d2 = dot(dx, dx);
-  return dx;
-}
-template <class Real, std::size_t half, class V>
-HWY_INLINE auto gap2_of(hn::Vec<D64> radius_i, V radius_j, hn::Vec<D64> d2) {
-  const auto reach = hn::Add(radius_i, half_f64<Real, half>(radius_j));
-  return to_real<Real>(hn::MulSub(reach, reach, d2));
-}
 
 // A full vector of pairs, i from j, rounded after the differences.
 template <class V>
@@ -130,131 +103,6 @@ HWY_INLINE void add_to_particles(const Vec3V<V>& force, const Vec3V<V>& torque, 
   HWY_ALIGN Index rows[16];
   find_rows(tile, particle + half * hn::MaxLanes(D64()), rows);
   add_to_rows(c, rows, tile.rows);
-}
-
-// The owners of a block, or of as much of it as a vector holds.
-template <class Real>
-struct OwnersV {
-  PlaceV<Real> low, high;
-  hn::Vec<D64> low_radius, high_radius;
-  hn::Vec<hn::RebindToSigned<Lanes<Real>>> index;
-};
-template <class Real>
-HWY_INLINE OwnersV<Real> load_owners(const ParticleView<Real>& p, const Index* owner) {
-  constexpr std::size_t kLast = kHalves<Real> - 1;
-  OwnersV<Real> o;
-  o.index = load_index<Real>(owner);
-  o.low = load_places(p, owner);
-  o.high = load_places(p, owner + kLast * hn::MaxLanes(D64()));
-  const auto radius = join_radius(o.low, o.high);
-  o.low_radius = half_f64<Real, 0>(radius);
-  o.high_radius = half_f64<Real, kLast>(radius);
-  return o;
-}
-
-// A bit for each owner that touches its partner.
-template <class Real>
-HWY_INLINE std::uint32_t touching_bits(const StepConstants<Real>& step, const ParticleView<Real>& p,
-                                       const OwnersV<Real>& owners, const Index* partner) {
-  const Lanes<Real> d;
-  constexpr std::size_t kLast = kHalves<Real> - 1;
-  hn::Vec<D64> low_d2, high_d2;
-  const PlaceV<Real> low = load_places(p, partner);
-  apart(step, owners.low, low, low_d2);
-  const PlaceV<Real> high = load_places(p, partner + kLast * hn::MaxLanes(D64()));
-  apart(step, owners.high, high, high_d2);
-  const auto radius = join_radius(low, high);
-  const auto gap2 = join<Real>(gap2_of<Real, 0>(owners.low_radius, radius, low_d2),
-                               gap2_of<Real, kLast>(owners.high_radius, radius, high_d2));
-  // An empty lane pairs a particle with itself: gap = R^2 there, so ask for two distinct partners.
-  const auto distinct = hn::RebindMask(d, hn::Ne(owners.index, load_index<Real>(partner)));
-  return bits_of(d, hn::And(distinct, hn::Gt(gap2, hn::Zero(d))));
-}
-
-// The partners of a row some rows ahead; past the end of a tile's rows it is the next tile's.
-constexpr std::size_t kRowsAhead = 10;
-template <class Real>
-HWY_INLINE void prefetch_row(const ParticleView<Real>& p, const Index* partner) {
-  for (std::size_t k = 0; k < kPairPad; ++k) hwy::Prefetch(p.record + partner[k]);
-}
-
-// The owners of the next block.
-template <class Real>
-HWY_INLINE void prefetch_next_block(const ParticleView<Real>& p, const PairView<Real>& pairs,
-                                    std::size_t block) {
-  if (block + 1 >= pairs.all) return;
-  const Index* owner = pairs.owner + (block + 1) * kPairPad;
-  for (std::size_t k = 0; k < kPairPad; ++k) hwy::Prefetch(p.record + owner[k]);
-}
-
-// What is found of one part of a tile.
-struct FoundPart {
-  Index *owner, *partner, *state;
-  std::size_t count;
-};
-
-// Appends those lanes of a row that touch or did so in the last step.
-template <class Real>
-HWY_INLINE void append(const Index* owner, const Index* partner, std::uint32_t touching,
-                       std::uint32_t open, FoundPart& to) {
-  const hn::Rebind<std::uint32_t, Lanes<Real>> d;
-  constexpr std::size_t kLanes = hn::MaxLanes(d);
-  for (std::size_t k = 0; k < kPairPad; k += kLanes) {
-    const std::uint32_t found = (touching | open) >> k & ((1u << kLanes) - 1);
-    const auto bit = hn::Shl(hn::Set(d, 1u), hn::Iota(d, static_cast<std::uint32_t>(k)));
-    const auto touches = hn::TestBit(hn::Set(d, touching), bit);
-    const auto did_touch = hn::TestBit(hn::Set(d, open), bit);
-    const auto state = hn::Or(hn::IfThenElseZero(touches, hn::Set(d, kTouches)),
-                              hn::IfThenElseZero(did_touch, hn::Set(d, kDidTouch)));
-    hn::StoreU(to_front(d, hn::LoadU(d, owner + k), found), d, to.owner + to.count);
-    hn::StoreU(to_front(d, hn::LoadU(d, partner + k), found), d, to.partner + to.count);
-    hn::StoreU(to_front(d, state, found), d, to.state + to.count);
-    to.count += static_cast<std::size_t>(__builtin_popcount(found));
-  }
-}
-
-// The first pass over one part. Vectors narrower than a block take it in pieces.
-template <class Real>
-HWY_INLINE void find_in_blocks(const StepConstants<Real>& step, const ParticleView<Real>& p,
-                               const PairView<Real>& pairs, std::size_t first, std::size_t last,
-                               FoundPart& found, std::size_t& touching_so_far) {
-  constexpr std::size_t kLanes = hn::MaxLanes(Lanes<Real>()), kPieces = kPairPad / kLanes;
-  const std::size_t end = pairs.row_begin[last];
-  for (std::size_t block = first; block < last; ++block) {
-    const Index* owner = pairs.owner + block * kPairPad;
-    OwnersV<Real> owners[kPieces];
-    for (std::size_t k = 0; k < kPieces; ++k) owners[k] = load_owners(p, owner + k * kLanes);
-    prefetch_next_block(p, pairs, block);
-    for (std::size_t row = pairs.row_begin[block]; row < pairs.row_begin[block + 1]; ++row) {
-      const Index* partner = pairs.partner + row * kPairPad;
-      if (row + kRowsAhead < end) prefetch_row(p, partner + kRowsAhead * kPairPad);
-      std::uint32_t touching = 0;
-      for (std::size_t k = 0; k < kPieces; ++k) {
-        touching |= touching_bits(step, p, owners[k], partner + k * kLanes) << k * kLanes;
-      }
-      const std::uint32_t open = pairs.open[row];
-      pairs.open[row] = static_cast<std::uint16_t>(touching);
-      pairs.first_contact[row] = static_cast<Index>(touching_so_far);
-      touching_so_far += static_cast<std::size_t>(__builtin_popcount(touching));
-      if ((touching | open) != 0) append<Real>(owner, partner, touching, open, found);
-    }
-  }
-  for (std::size_t k = found.count; k % kPairPad != 0; ++k) {
-    found.owner[k] = found.partner[k] = found.owner[0];
-    found.state[k] = 0;
-  }
-}
-template <class Real>
-void find_pairs(const StepConstants<Real>& step, const ParticleView<Real>& p,
-                const PairView<Real>& pairs, FoundPairs& found) {
-  found.touching = 0;
-  FoundPart own = {found.i, found.j, found.state, 0};
-  find_in_blocks(step, p, pairs, 0, pairs.own, own, found.touching);
-  found.own = own.count;
-  const std::size_t from = found.imported_begin();
-  FoundPart imported = {found.j + from, found.i + from, found.state + from, 0};
-  find_in_blocks(step, p, pairs, pairs.own, pairs.all, imported, found.touching);
-  found.imported = imported.count;
 }
 
 // The histories of a full vector of contacts. Those that were open stand side by side among the old
@@ -366,8 +214,9 @@ HWY_INLINE void sphere_sphere(const StepConstants<Real>& step, const ParticleVie
   const TouchV<V> t = touch_of<Real, Law>(step, a, radius_i, b, radius_j, s, arm_i, arm_j);
 
   using Row = hn::RebindToSigned<Lanes<Real>>;
-  const auto touching = has_state<Real>(state, kTouches);
-  const auto open = has_state<Real>(state, kDidTouch);
+  // In `single` the first pass finds some that are next to touching.
+  const auto found = has_state<Real>(state, kTouches), open = has_state<Real>(state, kDidTouch);
+  const auto touching = hn::And(found, hn::Gt(s.gap2, zero));
   V h[Law::kRolling ? kRollingHistory : kHistory];
   load_history(old_history, at.old, open, h);
   at.old += hn::CountTrue(d, open);
@@ -386,9 +235,9 @@ HWY_INLINE void sphere_sphere(const StepConstants<Real>& step, const ParticleVie
   keep(0, r.spring);
   keep(3, r.force);
   if constexpr (Law::kRolling) keep(6, r.moment);
-  store_history(h, touching, new_history, at.now);
+  store_history(h, found, new_history, at.now);
   if constexpr (Law::kRecorded) tell(r, pair_kinds<Real>(step.groups, a.group, b.group), *told);
-  at.now += hn::CountTrue(d, touching);
+  at.now += hn::CountTrue(d, found);
   if constexpr (kOwn) {
     count_response<Real, Law>(r, touching, hn::Div(t.overlap, radius_i), radius_i, step.overlap_cap,
                               tally);
@@ -452,21 +301,30 @@ HWY_INLINE void record_few(const StepConstants<Real>& step, const ParticleView<R
   const HistoryView<Real> from = behind<kNumbers>(old), to = behind<kNumbers>(now);
   const bool is_on = step.recording == Recording::kOn;
   for (std::size_t k = first; k < last; k += hn::MaxLanes(d), ++told) {
-    const auto touching = has_state<Real>(found.state + k, kTouches);
+    const auto is_found = has_state<Real>(found.state + k, kTouches);
     const auto open = has_state<Real>(found.state + k, kDidTouch);
     EpisodeV<V> e = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
     if (HWY_LIKELY(is_on)) load_history(from, at.old, open, e);
     follow_episodes<Real>(step.recording, *told, e);
-    const Changes changes = changes_of(d, touching, open);
+    const Changes changes = changes_of(d, is_found, open);
     if (HWY_UNLIKELY((changes.begun | changes.ended) != 0) && is_on) {
       ArrivalV<Real> came = {e[2], e[2]};
       if (changes.begun != 0) came = arrival_of<Real, Law>(step, p, found.i + k, found.j + k);
-      e[2] = hn::IfThenElse(hn::AndNot(open, touching), came.approach, e[2]);
+      e[2] = hn::IfThenElse(hn::AndNot(open, is_found), came.approach, e[2]);
       tell_changes<Real>(changes, told->kind, hn::Add(e[0], e[1]), e[2], came.impact, collisions);
     }
-    store_history(e, touching, to, at.now);
+    store_history(e, is_found, to, at.now);
     at.old += hn::CountTrue(d, open);
-    at.now += hn::CountTrue(d, touching);
+    at.now += hn::CountTrue(d, is_found);
+  }
+}
+
+// The first pass of `single` has not looked at records: asks for those of a vector to come.
+template <class Real>
+HWY_INLINE void prefetch_found(const ParticleView<Real>& p, const Index* i, const Index* j) {
+  for (std::size_t k = 0; k < hn::MaxLanes(Lanes<Real>()); ++k) {
+    __builtin_prefetch(p.record + i[k]);
+    __builtin_prefetch(p.record + j[k]);
   }
 }
 
@@ -477,7 +335,7 @@ HWY_INLINE void push_part(const StepConstants<Real>& step, const ParticleView<Re
                           const HistoryView<Real>& now, const TileRows& tile, HistoryPlace& at,
                           ContactTally& tally, PairCollisions<Real>* collisions) {
   using V = hn::Vec<Lanes<Real>>;
-  constexpr std::size_t kLanes = hn::MaxLanes(Lanes<Real>());
+  constexpr std::size_t kLanes = hn::MaxLanes(Lanes<Real>()), kAhead = 2 * kPairPad;
   [[maybe_unused]] const std::size_t kinds = pair_kinds_among(step.groups);
   const std::size_t first = kOwn ? 0 : found.imported_begin();
   const std::size_t last = first + (kOwn ? found.own : found.imported);
@@ -490,6 +348,9 @@ HWY_INLINE void push_part(const StepConstants<Real>& step, const ParticleView<Re
     const std::size_t end = std::min(last, from + kFew);
     [[maybe_unused]] const HistoryPlace before = at;
     for (std::size_t k = from; k < end; k += kLanes) {
+      if (const std::size_t next = k + kAhead; p.on_grid != nullptr && next < last) {
+        prefetch_found(p, found.i + next, found.j + next);
+      }
       sphere_sphere<Real, Law, kOwn>(step, p, found.i + k, found.j + k, found.state + k, old, now,
                                      tile, at, few,
                                      told + (Law::kRecorded ? (k - from) / kLanes : 0));

@@ -102,6 +102,23 @@ TYPED_TEST(PackingAtRest, OfMixedSizesIsColdAtFourStepsPerContact) {
   EXPECT_GT(heat.contacts, 2.8);
 }
 
+// Whether two touch is told in f32 in `single`, to more than the overlap of a sphere under its own
+// weight, so that single contacts open and close.
+TEST(PackingAtRestInSingle, OfEqualSpheresIsColdAtFourStepsPerContact) {
+  Scene scene = box_of_ore(0.015, 0.015, 200);
+  scene.run.precision = Precision::kSingle;
+  const Heat heat = heat_at_rest<float>(scene, 0.15, 0.0075);
+  EXPECT_LT(heat.median, kCold);
+  EXPECT_GT(heat.contacts, 3);
+}
+TEST(PackingAtRestInSingle, OfMixedSizesIsColdAtFourStepsPerContact) {
+  Scene scene = box_of_ore(0.015, 0.025, 200);
+  scene.run.precision = Precision::kSingle;
+  const Heat heat = heat_at_rest<float>(scene, 0.2, 0.0075);
+  EXPECT_LT(heat.median, kCold);
+  EXPECT_GT(heat.contacts, 2.8);
+}
+
 TYPED_TEST(PackingAtRest, OfABedWithThePeersLawIsCold) {
   // A cut of the shipped bed: unclamped, no tangential damping, periodic sides.
   Scene scene = shipped_scene("bed");

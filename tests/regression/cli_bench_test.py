@@ -46,9 +46,9 @@ class Bench(Case):
         self.assertAlmostEqual(
             found["bandwidth_of_triad"] * triad / found["bandwidth_B_per_s"], 1, places=9)
         self.assertGreater(found["peak_operations_per_s"], 1e8)
-        # An operation in f64 weighs two of the law's in `mixed`, one in `double`.
+        # An operation in f64 weighs two of the law's, one in `double`.
         least = found["operations_per_s"] / found["peak_operations_per_s"]
-        weight = 2 if found["precision"] == "mixed" else 1
+        weight = 1 if found["precision"] == "double" else 2
         self.assertGreaterEqual(found["arithmetic_of_peak"], least * (1 - 1e-9))
         self.assertLessEqual(found["arithmetic_of_peak"], weight * least * (1 + 1e-9))
         serial = found["serial_fraction"]

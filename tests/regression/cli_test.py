@@ -424,6 +424,9 @@ count = 300
         self.expect(2, quern("run", BOUNCE, "--out", self.folder / "double",
                              "--set", "run.precision=double", "--set", "run.start=file",
                              "--set", f"run.start_file={self.out}"), "start_file", "double", "mixed")
+        self.expect(2, quern("run", BOUNCE, "--out", self.folder / "single",
+                             "--set", "run.precision=single", "--set", "run.start=file",
+                             "--set", f"run.start_file={self.out}"), "start_file", "single", "mixed")
 
     def test_checkpoints_at_the_end_only_if_asked(self):
         self.expect(0, quern("run", BOUNCE, "--out", self.out, "--until", 0.05,

@@ -98,6 +98,15 @@ TEST(ListsInMotion, MissNothingInAMixOfSizesWithPeriodicEnds) {
   EXPECT_GT(watch.pair_contacts / static_cast<double>(watch.looks), 500);
 }
 
+TEST(ListsInMotion, MissNothingInSingleAndCopiesAreEqualToTheBit) {
+  Scene scene = scene_of(kMixedMill);
+  scene.run.precision = Precision::kSingle;
+  Watch watch;
+  tumble<float>(scene, 0.3, 149, watch);
+  EXPECT_GT(watch.looks, 100u);
+  EXPECT_GT(watch.pair_contacts / static_cast<double>(watch.looks), 500);
+}
+
 Index owner_of(const PairBatch<float>& pairs, std::size_t slot) {
   std::size_t block = 0;
   while (pairs.row_begin[block + 1] <= slot / kPairPad) ++block;
@@ -145,7 +154,7 @@ TEST(ListChecks, NoticeAMissingContactAndAChangedTwin) {
 // A cloud without walls or weight: forces are f32, but exactly opposite and added in f64, so that
 // momentum changes by f64 rounding alone. Each particle's velocity is rounded once a step and once
 // a contact (half a unit each, up to 12 contacts): 7 units of the sum of m |v| a step.
-TEST(ListsInMotion, KeepTheMomentumOfAFreeCloudToRounding) {
+void expect_momentum_of_a_cloud(Precision precision) {
   std::string text = R"(
 format = 1
 [run]
@@ -173,6 +182,7 @@ count = 300
 method = "random"
 )";
   Scene scene = scene_of(text);
+  scene.run.precision = precision;
   ASSERT_FALSE(testing::Test::HasFailure());
   World<float> world = world_of<float>(scene);
   CounterRandom random(7);
@@ -202,6 +212,12 @@ method = "random"
   double ignored = 0;
   EXPECT_LE((momentum(ignored) - before).norm(), 7 * kSteps * 0x1p-52 * size);
   EXPECT_GT(touched, kSteps) << "a cloud without contacts proves nothing";
+}
+TEST(ListsInMotion, KeepTheMomentumOfAFreeCloudToRounding) {
+  expect_momentum_of_a_cloud(Precision::kMixed);
+}
+TEST(ListsInMotion, KeepTheMomentumOfAFreeCloudToRoundingInSingle) {
+  expect_momentum_of_a_cloud(Precision::kSingle);
 }
 
 }  // namespace

@@ -147,8 +147,8 @@ class Trade(Case):
         self.assertFalse(self.out.exists())
 
     def test_lists_its_settings_and_runs_none(self):
-        said = self.expect(0, self.trade("--list"), "finest", "run.precision=double", "soft_100",
-                           "steps_50", "slack_1")
+        said = self.expect(0, self.trade("--list"), "finest", "run.precision=double",
+                           "run.precision=single", "soft_100", "steps_50", "slack_1")
         self.assertNotIn("facets", said.stdout)  # a scene of spheres
         self.assertFalse(self.out.exists())
 

@@ -230,8 +230,8 @@ ends = "periodical")",
     {"UnknownPrecision",
      "seed = 1",
      R"(seed = 1
-precision = "single")",
-     {R"~(7:13: error: 'precision': "single" is not known (mixed, double))~"}},
+precision = "half")",
+     {R"~(7:13: error: 'precision': "half" is not known (mixed, double, single))~"}},
     {"RelaxOfWhatRainsIn",
      R"(seed = 1
 gravity = ["0 m/s^2", "-9.81 m/s^2", "0 m/s^2"])",

@@ -18,12 +18,21 @@ namespace {
 constexpr double kUlps = 10 * std::numeric_limits<double>::epsilon();
 constexpr std::size_t kFirst = 3;  // of the tile; a tile need not begin at a multiple of a vector
 
+// Of `single`; periodic in y, beyond which most of the crowd is.
+const PlaceGrid kGrid(Vec3(-4, -0.5, -4), Vec3(4, 0.5, 4), {false, true, false}, 0.05);
+constexpr GridPlace kUnwritten = {1, 2, 3, 4};
+
+bool same(const GridPlace& a, const GridPlace& b) {
+  return a.x == b.x && a.y == b.y && a.z == b.z && a.radius == b.radius;
+}
+
 template <class Real>
 struct Crowd {
   Column<Record<Real>> now, next;
   Column<Traits<Real>> traits, traits_next;
   Column<double> spin[3], place[3], rows;
   Column<float> velocity[3], allowance;
+  Column<GridPlace> on_grid;
   std::size_t size;
 
   Crowd(std::size_t count, unsigned seed) : size(count) {
@@ -40,6 +49,8 @@ struct Crowd {
       velocity[a].reset(n);
     }
     allowance.reset(n);
+    on_grid.reset(n);
+    for (GridPlace& p : on_grid) p = kUnwritten;
     rows.reset((count + 16) * kRowWidth);
     for (double& r : rows) r = random(-10, 10);
     for (std::size_t k = 0; k < n; ++k) {
@@ -78,6 +89,8 @@ struct Crowd {
     m.list_time = 0.1;
     m.kick = 0.5 * dt;
     m.drag = 0.999;
+    m.on_grid_next = on_grid.data();
+    m.grid = &kGrid;
     return m;
   }
 };
@@ -136,6 +149,12 @@ void check_move(std::size_t count, unsigned seed) {
     EXPECT_EQ(r.radius, crowd.now[at].radius);
     EXPECT_EQ(tag_material(crowd.traits_next[at].tag), tag_material(crowd.traits[at].tag));
     EXPECT_EQ(tag_contacts(crowd.traits_next[at].tag), crowd.rows[k * kRowWidth + 6]);
+  }
+  for (std::size_t k = 0; k < crowd.now.size(); ++k) {
+    const Record<Real>& r = crowd.next[k];
+    const bool own = k >= kFirst && k < kFirst + count;
+    EXPECT_TRUE(same(crowd.on_grid[k],
+                     own ? kGrid.at(r.x, r.y, r.z, static_cast<float>(r.radius)) : kUnwritten));
   }
   for (std::size_t k = 0; k < kFirst; ++k) EXPECT_TRUE(is_kept(crowd, k));
   for (std::size_t k = kFirst + count; k < crowd.now.size(); ++k) EXPECT_TRUE(is_kept(crowd, k));

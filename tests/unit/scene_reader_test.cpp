@@ -264,7 +264,7 @@ TEST(Overrides, NameThemselvesInTheirMessages) {
       {"mill.length=2 kg", "'length': unit 'kg' is no unit of length (use m, mm)"},
       {"mill.length=-1", "'length': -1 is not allowed (must be greater than 0)"},
       {"run.precision=duble",
-       "'precision': \"duble\" is not known - did you mean \"double\"? (mixed, double)"},
+       "'precision': \"duble\" is not known - did you mean \"double\"? (mixed, double, single)"},
       {"run.seed=1.5", "'seed' must be an integer, found 1.5"},
       {"particles.bal.count=3", "no particles named 'bal' - did you mean 'ball'? (ore, ball)"},
       {"particles.count=3", "address an entry by its name: particles.NAME.key=value"},

@@ -309,7 +309,7 @@ start = "file"
 start_file = "points.csv"
 relax = "0.3 s"
 overlap_cap = "0.05 mm"
-precision = "double"
+precision = "single"
 tile_size = 64
 list_slack = "0.7 mm"
 [domain]
