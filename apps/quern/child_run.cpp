@@ -83,6 +83,14 @@ std::optional<ChildRun::End> ChildRun::poll() const {
 // SIGINT, because a second SIGTERM, after one from the system, would end it at once.
 void ChildRun::stop() const { kill(process_, SIGINT); }
 
+bool is_locked(const std::string& folder) {
+  const int log = open(log_of(folder).c_str(), O_RDONLY | O_CLOEXEC);
+  if (log < 0) return false;
+  const bool locked = flock(log, LOCK_SH | LOCK_NB) != 0;
+  close(log);
+  return locked;
+}
+
 std::string last_line_of_log(const std::string& folder) {
   constexpr std::streamoff kTail = 2048;
   std::ifstream file(log_of(folder), std::ios::binary | std::ios::ate);

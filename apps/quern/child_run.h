@@ -34,6 +34,9 @@ class ChildRun {
   pid_t process_;
 };
 
+// Whether a process works in the folder, on this machine or another.
+bool is_locked(const std::string& folder);
+
 // The last line that a process has written into its log, of a run its progress.
 std::string last_line_of_log(const std::string& folder);
 

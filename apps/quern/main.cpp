@@ -48,6 +48,46 @@ CLI::App* add_trade(CLI::App& app, quern::TradeOptions& o) {
   return trade;
 }
 
+CLI::App* add_sweep(CLI::App& app, quern::SweepOptions& o) {
+  CLI::App* sweep = app.add_subcommand("sweep", "many runs of a scene: factors, table, page");
+  sweep->add_option("file", o.file, "SWEEP.toml")->required();
+  sweep->add_option("--out", o.out, "folder for the runs and the table")
+      ->default_str("out/<sweep>");
+  sweep->add_option("--at-once", o.at_once, "runs at a time (0: as is fastest)")
+      ->check(CLI::Range(0, 4096));
+  sweep
+      ->add_option("--threads", o.threads,
+                   "of each run (0: as is fastest; all with --case, 1 with --slurm)")
+      ->check(CLI::Range(0, 4096));
+  CLI::Option* plan =
+      sweep->add_flag("--plan", o.plan, "shows the cases, time and disk, and runs none");
+  CLI::Option* one =
+      sweep->add_option("--case", o.only, "runs one case alone, by its number in --plan")
+          ->check(CLI::Range(1, 1000000));
+  sweep->add_flag("--filling", o.filling, "with --case: only the filling that it starts from")
+      ->needs(one);
+  CLI::Option* collect = sweep->add_flag(
+      "--collect", o.collect, "the table and page of what is finished by now; runs none");
+  CLI::Option* slurm =
+      sweep->add_flag("--slurm", o.slurm, "submits the cases to Slurm, as an array of jobs");
+  for (CLI::Option* option : {plan, one, collect}) slurm->excludes(option);
+  for (CLI::Option* option : {plan, one}) collect->excludes(option);
+  plan->excludes(one);
+  sweep->add_flag("--no-submit", o.no_submit, "with --slurm: writes the job scripts only")
+      ->needs(slurm);
+  sweep
+      ->add_option("--time-limit", o.time_limit,
+                   "with --slurm: of a job; a case that needs more is queued again")
+      ->capture_default_str()
+      ->needs(slurm);
+  sweep
+      ->add_option("--sbatch", o.sbatch,
+                   "with --slurm: an option of sbatch (partition=long), repeatable")
+      ->take_all()
+      ->needs(slurm);
+  return sweep;
+}
+
 int dispatch(int argc, char** argv) {
   CLI::App app{"quern: discrete-element simulation of grinding mills"};
   app.require_subcommand(1);
@@ -111,17 +151,7 @@ int dispatch(int argc, char** argv) {
   CLI::App* trade = add_trade(app, trade_options);
 
   quern::SweepOptions sweep_options;
-  CLI::App* sweep = app.add_subcommand("sweep", "many runs of a scene: factors, table, page");
-  sweep->add_option("file", sweep_options.file, "SWEEP.toml")->required();
-  sweep->add_option("--out", sweep_options.out, "folder for the runs and the table")
-      ->default_str("out/<sweep>");
-  sweep->add_flag("--plan", sweep_options.plan, "shows the cases, time and disk, and runs none");
-  sweep->add_option("--case", sweep_options.only, "runs one case alone, by its number in --plan")
-      ->check(CLI::Range(1, 1000000));
-  sweep->add_option("--at-once", sweep_options.at_once, "runs at a time (0: as is fastest)")
-      ->check(CLI::Range(0, 4096));
-  sweep->add_option("--threads", sweep_options.threads, "of each run (0: as is fastest)")
-      ->check(CLI::Range(0, 4096));
+  CLI::App* sweep = add_sweep(app, sweep_options);
 
   quern::ShapeCommand shape_options;
   CLI::App* shape = app.add_subcommand("shape", "what an STL file gives as a polyhedron");

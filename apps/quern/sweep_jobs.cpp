@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <ctime>
+#include <filesystem>
 #include <map>
-#include <thread>
 
 #include "apps/quern/child_run.h"
+#include "io/file_commit.h"
 #include "io/log.h"
 
 namespace quern {
@@ -17,9 +19,15 @@ namespace {
 
 volatile std::sig_atomic_t g_stop = 0;
 void on_signal(int) { g_stop = 1; }
+void on_child(int) {}
 
 constexpr int kAttempts = 2;
-constexpr auto kPause = std::chrono::milliseconds(50);
+
+// 50 ms, or until a run ends: no core waits for its next one.
+void pause_a_little() {
+  const timespec time{0, 50000000};
+  nanosleep(&time, nullptr);
+}
 
 double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -41,8 +49,12 @@ struct Job {
 class Jobs {
  public:
   Jobs(const SweepPlan& plan, const std::vector<std::size_t>& cases, const SweepWidth& width,
-       double seconds_per_step)
-      : plan_(plan), width_(width), seconds_per_step_(seconds_per_step), started_(now()) {
+       double seconds_per_step, JobsPart part)
+      : plan_(plan),
+        width_(width),
+        seconds_per_step_(seconds_per_step),
+        part_(part),
+        started_(now()) {
     std::map<int, int> rows;
     for (const std::size_t k : cases) {
       const SweepRun& run = plan.cases[k];
@@ -56,26 +68,27 @@ class Jobs {
         }
         filling = at->second;
       }
+      if (part_ == JobsPart::kFillings) continue;
       jobs_.push_back({run.place.name, run.folder, filling, k, false, run.steps * run.particles});
-      ++count_;
     }
     for (Job& job : jobs_) look(job);
     for (const Job& job : jobs_) {
-      if (!job.is_filling && job.state == Job::State::kFinished) done_before_ += job.work;
+      count_ += counts(job);
+      if (counts(job) && job.state == Job::State::kFinished) done_before_ += job.work;
     }
   }
 
   JobsResult go() {
     while (g_stop == 0 && step()) {
       show();
-      std::this_thread::sleep_for(kPause);
+      pause_a_little();
     }
     if (g_stop != 0) stop_all();
     table_.clear();
     JobsResult result;
     result.stopped = g_stop != 0;
     for (const Job& job : jobs_) {
-      if (job.is_filling) continue;
+      if (!counts(job)) continue;
       if (job.state == Job::State::kFinished) ++result.finished;
       if (job.state == Job::State::kFailed) ++result.failed;
     }
@@ -83,6 +96,8 @@ class Jobs {
   }
 
  private:
+  bool counts(const Job& job) const { return job.is_filling == (part_ == JobsPart::kFillings); }
+
   RunOutcome outcome(const Job& job) const {
     return job.is_filling ? outcome_of(plan_.fillings[job.row]) : outcome_of(plan_.cases[job.row]);
   }
@@ -130,6 +145,8 @@ class Jobs {
                             : command_of(plan_, plan_.cases[job.row], width_.threads);
     });
     if (!job.child) return false;
+    std::error_code ignored;
+    std::filesystem::remove(failed_file(job.folder), ignored);
     job.state = Job::State::kRunning;
     ++job.attempts;
     return true;
@@ -148,7 +165,11 @@ class Jobs {
                                    ? fmt::format("{}; see {}/log.txt", end->how, job.folder)
                                    : there.reason;
     job.state = Job::State::kWaiting;
-    if (job.attempts >= kAttempts) return fail(job, reason);
+    if (job.attempts >= kAttempts) {
+      if (there.reason.empty())
+        write_text_file("mark", failed_file(job.folder), end->how, Durability::kKill);
+      return fail(job, reason);
+    }
     table_.clear();
     log_warn(fmt::format("{}: {}; once more", job.name, reason));
   }
@@ -166,7 +187,7 @@ class Jobs {
           job.state = Job::State::kWaiting;
           look(job);
         } else {
-          std::this_thread::sleep_for(kPause);
+          pause_a_little();
         }
       }
     }
@@ -182,7 +203,7 @@ class Jobs {
         ++running;
         lines.push_back(fmt::format("  {} |{}", job.name, last_line_of_log(job.folder)));
       }
-      if (job.is_filling) continue;
+      if (!counts(job)) continue;
       finished += job.state == Job::State::kFinished;
       failed += job.state == Job::State::kFailed;
       const bool over = job.state == Job::State::kFinished || job.state == Job::State::kFailed;
@@ -190,7 +211,8 @@ class Jobs {
     }
     const double elapsed = now() - started_;
     const double each = done > 0 ? elapsed / done : seconds_per_step_ / width_.at_once;
-    std::string head = fmt::format("cases {} of {}", finished, count_);
+    std::string head = fmt::format(
+        "{} {} of {}", part_ == JobsPart::kFillings ? "fillings" : "cases", finished, count_);
     if (failed > 0) head += fmt::format(", {} failed", failed);
     head += fmt::format(" | {} running | elapsed {}", running, format_clock(elapsed));
     if (each > 0) head += " ETA " + format_clock(left * each);
@@ -199,7 +221,9 @@ class Jobs {
 
   const SweepPlan& plan_;
   SweepWidth width_;
-  double seconds_per_step_, started_, done_before_ = 0;
+  double seconds_per_step_;
+  JobsPart part_;
+  double started_, done_before_ = 0;
   std::size_t count_ = 0;
   std::vector<Job> jobs_;
   ProgressTable table_;
@@ -207,11 +231,15 @@ class Jobs {
 
 }  // namespace
 
+void heed_signals() {
+  for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) std::signal(signal, on_signal);
+}
+
 JobsResult run_cases(const SweepPlan& plan, const std::vector<std::size_t>& cases,
-                     const SweepWidth& width, double seconds_per_step) {
-  std::signal(SIGINT, on_signal);
-  std::signal(SIGTERM, on_signal);
-  return Jobs(plan, cases, width, seconds_per_step).go();
+                     const SweepWidth& width, double seconds_per_step, JobsPart part) {
+  heed_signals();
+  std::signal(SIGCHLD, on_child);
+  return Jobs(plan, cases, width, seconds_per_step, part).go();
 }
 
 }  // namespace quern

@@ -22,8 +22,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kTime = 1;     // s, of a width
 constexpr double kSpare = 0.9;  // of the memory
+
+// s, of a width: together about so much of what the sweep will take, at a usual speed.
+double measuring_time(double work, std::size_t widths) {
+  constexpr double kLeast = 0.1, kMost = 1, kShare = 0.005, kUsualSpeed = 5e6;
+  const double expected = work / (kUsualSpeed * machine_cores());
+  return std::clamp(kShare * expected / static_cast<double>(widths), kLeast, kMost);
+}
 
 const SweepRun& middle(const SweepPlan& plan) { return plan.cases[plan.cases.size() / 2]; }
 
@@ -67,14 +73,15 @@ std::vector<SweepWidth> widths_of(const SweepPlan& plan, std::size_t cases) {
   return widths;
 }
 
-std::vector<SweepSpeed> measure_widths(const SweepPlan& plan,
-                                       const std::vector<SweepWidth>& widths) {
+std::vector<SweepSpeed> measure_widths(const SweepPlan& plan, const std::vector<SweepWidth>& widths,
+                                       double work) {
+  const double time = measuring_time(work, widths.size());
   const SweepRun& run = middle(plan);
   LoadedScene loaded = load_scene(plan.spec.scene, run.place.set, say_nothing);
   std::vector<SweepSpeed> speeds;
   for (const SweepWidth& width : widths) {
     const std::vector<double> each = in_processes(width.at_once, [&] {
-      const std::optional<StepRate> rate = measure_steps(loaded, width.threads, kTime, say_nothing);
+      const std::optional<StepRate> rate = measure_steps(loaded, width.threads, time, say_nothing);
       return rate ? rate->per_second : 0;
     });
     speeds.push_back({width, std::accumulate(each.begin(), each.end(), 0.0)});

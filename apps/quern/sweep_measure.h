@@ -15,9 +15,10 @@ struct SweepSpeed {
 // cores, as many processes as cores, memory and `cases` allow.
 std::vector<SweepWidth> widths_of(const SweepPlan& plan, std::size_t cases);
 
-// The speeds of these widths, a second of each, in the order given.
-std::vector<SweepSpeed> measure_widths(const SweepPlan& plan,
-                                       const std::vector<SweepWidth>& widths);
+// The speeds of these widths, in the order given; a second of each, or as long as is worth while
+// for so many particle steps.
+std::vector<SweepSpeed> measure_widths(const SweepPlan& plan, const std::vector<SweepWidth>& widths,
+                                       double work);
 
 // Seconds of one process for a particle step of the settled charge.
 double seconds_per_step(const SweepSpeed& speed);

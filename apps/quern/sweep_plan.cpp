@@ -157,6 +157,8 @@ RunOutcome outcome_of(const SweepRun& run) {
   return outcome_of(run.folder);
 }
 
+std::string failed_file(const std::string& folder) { return folder + "/failed.txt"; }
+
 // What is left of another scene in the folder is not taken for this one's.
 std::vector<std::string> command_of(const SweepFilling& filling, int threads) {
   std::vector<std::string> command = {"resume", filling.folder};

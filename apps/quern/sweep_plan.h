@@ -46,6 +46,9 @@ SweepPlan plan_sweep(const std::string& file, const std::string& out);
 RunOutcome outcome_of(const SweepFilling& filling);
 RunOutcome outcome_of(const SweepRun& run);
 
+// Why a run ended badly twice that could not say so in its summary.json; gone once it runs again.
+std::string failed_file(const std::string& folder);
+
 // The command line that makes it, or goes on with it; the folder is locked.
 std::vector<std::string> command_of(const SweepFilling& filling, int threads);
 std::vector<std::string> command_of(const SweepPlan& plan, const SweepRun& run, int threads);

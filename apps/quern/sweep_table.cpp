@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <set>
 
+#include "apps/quern/child_run.h"
 #include "io/file_commit.h"
 #include "io/hdf5_file.h"
 #include "io/log.h"
@@ -128,6 +130,28 @@ void write_h5(const SweepPlan& plan, const SweepTable& table) {
   pending.commit(Durability::kKill);
 }
 
+// "": it has not failed.
+std::string failure_of(const RunOutcome& outcome, const std::string& folder) {
+  if (outcome.state == RunState::kFailed) return outcome.reason;
+  const std::string mark = failed_file(folder);
+  return std::filesystem::exists(mark) ? read_text_file("mark", mark) : "";
+}
+
+std::string status_of(const SweepPlan& plan, const SweepRun& run) {
+  const RunOutcome outcome = outcome_of(run);
+  if (outcome.state == RunState::kFinished) return "finished";
+  if (is_locked(run.folder)) return "running";
+  const std::string failure = failure_of(outcome, run.folder);
+  if (!failure.empty()) return "failed: " + failure;
+  if (holds_scene(run.folder, run.scene)) return "stopped";
+  if (run.filling < 0) return "missing";
+  const SweepFilling& filling = plan.fillings[static_cast<std::size_t>(run.filling)];
+  const RunOutcome there = outcome_of(filling);
+  const bool open = there.state != RunState::kFinished && !is_locked(filling.folder);
+  const std::string why = open ? failure_of(there, filling.folder) : "";
+  return why.empty() ? "missing" : "failed: its filling: " + why;
+}
+
 }  // namespace
 
 std::string unit_of_response(const std::string& name) {
@@ -147,11 +171,8 @@ SweepTable table_of(const SweepPlan& plan) {
   std::vector<SummaryFile> summaries;
   std::set<std::string> there;
   for (const SweepRun& run : plan.cases) {
-    const RunOutcome outcome = outcome_of(run);
-    const bool finished = outcome.state == RunState::kFinished;
-    table.status.push_back(finished                             ? "finished"
-                           : outcome.state == RunState::kFailed ? outcome.reason
-                                                                : "not finished");
+    table.status.push_back(status_of(plan, run));
+    const bool finished = table.status.back() == "finished";
     summaries.push_back(finished ? SummaryFile(run.folder + "/summary.json") : SummaryFile());
     for (const std::string& name : summaries.back().names()) {
       if (std::isfinite(summaries.back().number(name))) there.insert(name);
@@ -174,8 +195,7 @@ SweepTable table_of(const SweepPlan& plan) {
   return table;
 }
 
-void write_results(const SweepPlan& plan) {
-  const SweepTable table = table_of(plan);
+void write_results(const SweepPlan& plan, const SweepTable& table) {
   write_text_file("table", plan.out + "/sweep.csv", csv_text(plan, table), Durability::kKill);
   write_h5(plan, table);
   write_sweep_page(plan, table);

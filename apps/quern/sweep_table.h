@@ -22,14 +22,15 @@ struct SweepColumn {               // a factor
 
 struct SweepTable {
   std::vector<SweepColumn> factors;
-  std::vector<std::string> status;  // "finished", "not finished", or what went wrong
+  // "finished"; "running"; "failed: WHY"; "stopped": begun, nobody works on it now; "missing"
+  std::vector<std::string> status;
   std::vector<SweepResponse> responses;
 };
 
 SweepTable table_of(const SweepPlan& plan);
 
 // OUT/sweep.csv, sweep.h5, sweep.html.
-void write_results(const SweepPlan& plan);
+void write_results(const SweepPlan& plan, const SweepTable& table);
 
 // "power_W" -> "W"
 std::string unit_of_response(const std::string& name);

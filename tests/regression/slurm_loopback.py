@@ -1,14 +1,15 @@
 #!/usr/bin/python3
-"""An array of six lab mills under Slurm, one of them told by its time limit: it is queued again and
-ends in the same state as the same mill run undisturbed.
+"""`quern sweep --slurm` of six lab mills under Slurm, one of them told by its time limit: it is queued
+again, all end in the state of a local sweep, and the tables are the same bytes.
 
-usage: QUERN_PROGRAM=build/release/quern slurm_loopback.py SLURM_ARRAY_TEXT SCENE FOLDER
+usage: QUERN_PROGRAM=build/release/quern slurm_loopback.py SCENE FOLDER
 (77: skipped, no Slurm. Debian: slurmctld slurmd slurm-client munge)
 
 Slurm runs on the loopback, as the user who starts this, root or not, without systemd, control
 groups or a database: one node, this machine, with a configuration and a key of its own in FOLDER.
 """
 
+import csv
 import json
 import os
 import pathlib
@@ -20,9 +21,22 @@ import subprocess
 import sys
 import time
 
-PROGRAM = os.environ["QUERN_PROGRAM"]
-# Last the long one, which is told. All differ by their speed of rotation.
-DURATIONS = [0.1] * 5 + [10.0]
+PROGRAM = os.path.abspath(os.environ["QUERN_PROGRAM"])
+# All start from one filling. The last is the long one, which is told.
+CASES, LONG = 6, 6
+SWEEP = """format = 1
+scene = "%s"
+design = "list"
+[set]
+run.settle = "0.1 s"
+run.record_from = "0.02 s"
+[[factors]]
+key = "mill.rotation"
+values = ["30 rpm", "31 rpm", "32 rpm", "33 rpm", "34 rpm", "35 rpm"]
+[[factors]]
+key = "run.duration"
+values = ["0.1 s", "0.11 s", "0.12 s", "0.13 s", "0.14 s", "10 s"]
+"""
 
 CONFIGURATION = """
 ClusterName=loopback
@@ -155,82 +169,75 @@ def wait_until(what, holds, seconds):
         time.sleep(1)
 
 
-def settings(case):
-    return ["--set", "run.settle=none", "--set", "run.record_from=0.02",
-            "--set", f"mill.rotation={30 + case} rpm", "--set", f"run.duration={DURATIONS[case]}"]
+def sweep(file, out, *more):
+    print(said(PROGRAM, "sweep", file, "--out", out, *map(str, more)), end="", flush=True)
 
 
-def run_case(scene, folder, case):
-    """What a task runs, in its own place: the mill of the case, or what is left of its run."""
-    out = pathlib.Path(folder, str(case))
-    command = ["resume", out] if (out / "scene.toml").exists() else \
-        ["run", scene, "--out", out, *settings(case)]
-    os.execv(PROGRAM, [PROGRAM, *map(str, command), "--threads", "1"])
+def summaries(out):
+    """Of each case, in the order of the table."""
+    with open(out / "sweep.csv", encoding="utf-8", newline="") as file:
+        names = [row["case"] for row in csv.DictReader(file)]
+    return {name: json.loads((out / name / "summary.json").read_text(encoding="utf-8"))
+            for name in names}
 
 
-def undisturbed_hash(scene, folder, case):
-    subprocess.run([PROGRAM, "run", scene, "--out", folder, "--threads", "2", *settings(case)],
-                   check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    return summary(folder)["state_hash"]
-
-
-def summary(folder):
-    return json.loads((folder / "summary.json").read_text(encoding="utf-8"))
-
-
-def run_array(array_text, scene, folder):
-    """Submits the six, shortens the last one's time to what is over, and waits for all."""
-    out = folder / "the cases"  # a name to be quoted
-    out.mkdir()
-    script = folder / "array.sh"
-    script.write_text(said(array_text, out, str(len(DURATIONS)), "500", "60", sys.executable,
-                           os.path.abspath(__file__), "--case", scene, out), encoding="utf-8")
-    array = said("sbatch", "--parsable", script).strip()
-    last = len(DURATIONS) - 1
+def run_arrays(file, out):
+    """Submits the six, shortens the long one's time to what is over, and waits for all."""
+    sweep(file, out, "--slurm", "--time-limit", "1 h")
+    numbers = said("squeue", "--noheader", "--format=%F", "--sort=i").split()
+    if len(set(numbers)) != 2:
+        sys.exit(f"two arrays were to be there: {numbers}")
+    array = numbers[-1]
 
     def set_limit(minutes):
-        said("scontrol", "update", f"JobId={array}_{last}", f"TimeLimit={minutes}")
+        said("scontrol", "update", f"JobId={array}_{LONG}", f"TimeLimit={minutes}")
 
-    wait_until("the long case begins", lambda: (out / str(last) / "run.h5").exists(), 900)
+    wait_until("the long case begins", lambda: list(out.glob("*10s/run.h5")), 900)
     set_limit(1)
-    wait_until("the long case is queued again", lambda: task(array, last)["Restarts"] != "0", 180)
+    wait_until("the long case is queued again", lambda: task(array, LONG)["Restarts"] != "0", 180)
     set_limit(60)
-    for case in range(len(DURATIONS)):
+    for case in range(1, CASES + 1):
         wait_until(f"case {case} ends", lambda case=case: task(array, case)["JobState"] not in (
             "PENDING", "RUNNING", "COMPLETING"), 1800)
-    return out, [task(array, case) for case in range(len(DURATIONS))]
+    sweep(file, out, "--collect")
+    return [task(array, case) for case in range(1, CASES + 1)]
 
 
-def check(scene, folder, out, tasks):
-    last = len(DURATIONS) - 1
-    log = (out / f"slurm-{last}.log").read_text(encoding="utf-8")
-    if log.count("stopped by signal 10 at t = ") != 1:
-        sys.exit(f"the long case was not stopped once by SIGUSR1:\n{log}")
-    for case, seen in enumerate(tasks):
-        straight = undisturbed_hash(scene, folder / f"straight_{case}", case)
-        found = summary(out / str(case))
-        print(f"case {case}: {seen['JobState']}, queued again {seen['Restarts']} times, "
-              f"t = {found['time_s']:g} s, hash {found['state_hash']}, undisturbed {straight}")
-        if seen["JobState"] != "COMPLETED" or seen["Restarts"] != str(int(case == last)):
+def check(local, out, tasks):
+    log = (out / f"slurm/case-{LONG}.log").read_text(encoding="utf-8")
+    if log.count("stopping: the runs write their checkpoints") != 1:
+        sys.exit(f"the long case was not told once:\n{log}")
+    straight, here = summaries(local), summaries(out)
+    for case, (seen, name) in enumerate(zip(tasks, straight, strict=True), 1):
+        found, wanted = here[name], straight[name]["state_hash"]
+        print(f"{name}: {seen['JobState']}, queued again {seen['Restarts']} times, "
+              f"t = {found['time_s']:g} s, hash {found['state_hash']}, undisturbed {wanted}")
+        if seen["JobState"] != "COMPLETED" or seen["Restarts"] != str(int(case == LONG)):
             sys.exit(f"not as it should have gone: {seen}")
-        if not found["finished"] or found["state_hash"] != straight:
+        if not found["finished"] or found["state_hash"] != wanted:
             sys.exit("another state than undisturbed")
-    print(log[log.index("stopped by signal"):].splitlines()[0])
+    for name in ("sweep.csv", "sweep.h5"):
+        if (local / name).read_bytes() != (out / name).read_bytes():
+            sys.exit(f"{name} is another than that of the local sweep")
+    long_log = next(out.glob("*10s")) / "log.txt"
+    print(next(line for line in long_log.read_text(encoding="utf-8").splitlines()
+               if line.startswith("stopped by signal")))
+    print("sweep.csv, sweep.h5: the same bytes")
 
 
 def main():
-    if sys.argv[1] == "--case":
-        run_case(sys.argv[2], sys.argv[3], int(sys.argv[4]))
     if missing := Cluster.missing():
         print("skipped: not installed: " + ", ".join(missing))
         sys.exit(77)
-    array_text, scene, folder = sys.argv[1], os.path.abspath(sys.argv[2]), pathlib.Path(sys.argv[3])
-    folder = folder.absolute()
+    scene, folder = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2]).absolute()
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
+    file, out, local = folder / "six mills.toml", folder / "the cases", folder / "local"
+    file.write_text(SWEEP % scene, encoding="utf-8")
     with Cluster(folder):
-        out, tasks = run_array(array_text, scene, folder)
-    check(scene, folder, out, tasks)
+        tasks = run_arrays(file, out)
+    sweep(file, local, "--threads", "1")
+    check(local, out, tasks)
 
 
 if __name__ == "__main__":

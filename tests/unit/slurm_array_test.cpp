@@ -18,8 +18,8 @@ SlurmArray six_cases() {
   SlurmArray array;
   array.name = "lifters";
   array.command = {"/opt/quern/bin/quern", "sweep", "/home/you/it's lifters.toml", "--case"};
-  array.log_folder = "/home/you/50% full";
-  array.cases = 6;
+  array.log = "/home/you/50% full/case-";
+  array.cases = {1, 2, 3, 5, 7, 8};
   array.threads = 2;
   array.memory = 300.5e6;
   array.time_limit = 3601;
@@ -31,17 +31,26 @@ bool has_line(const std::string& text, const std::string& line) {
 }
 
 TEST(SlurmArray, AsksForWhatATaskNeeds) {
-  const std::string text = slurm_array_text(six_cases());
+  SlurmArray array = six_cases();
+  array.options = {"partition=long", "exclusive"};
+  const std::string text = slurm_array_text(array);
   EXPECT_EQ(text.rfind("#!/bin/bash\n", 0), 0u);
   for (const char* line :
-       {"#SBATCH --job-name=\"lifters\"", "#SBATCH --array=0-5",
+       {"#SBATCH --job-name=\"lifters\"", "#SBATCH --array=1-3,5,7-8",
         "#SBATCH --nodes=1 --ntasks=1 --cpus-per-task=2", "#SBATCH --mem=287M", "#SBATCH --time=61",
         "#SBATCH --requeue --signal=B:USR1@120",
-        "#SBATCH --open-mode=append --output=\"/home/you/50%% full/slurm-%a.log\"",
+        "#SBATCH --open-mode=append --output=\"/home/you/50%% full/case-%a.log\"",
+        "#SBATCH --partition=\"long\"", "#SBATCH --exclusive",
         "'/opt/quern/bin/quern' 'sweep' '/home/you/it'\\''s lifters.toml' '--case' "
         "\"$SLURM_ARRAY_TASK_ID\" &"}) {
     EXPECT_TRUE(has_line(text, line)) << line << "\nis not in\n" << text;
   }
+}
+
+TEST(SlurmArray, RunsNotMoreTasksAtOnceThanWanted) {
+  SlurmArray array = six_cases();
+  array.at_once = 2;
+  EXPECT_TRUE(has_line(slurm_array_text(array), "#SBATCH --array=1-3,5,7-8%2"));
 }
 
 TEST(SlurmArray, TellsATaskAtMostAQuarterOfItsTimeAhead) {
@@ -87,16 +96,14 @@ TEST(SlurmArray, QueuesATaskAgainOnceItsCaseHasEnded) {
   EXPECT_EQ(outcome.told, "ended\nrequeue 7_3\n");
 }
 
-TEST(SlurmArray, QueuesATaskAgainWhoseCaseDidNotHeedTheSignalYet) {
-  const Outcome outcome = run_task("kill -USR1 $PPID; while true; do sleep 0.01; done");
-  EXPECT_EQ(outcome.told, "requeue 7_3\n");
-}
-
 TEST(SlurmArray, DoesNotQueueAFailedTaskAgain) {
-  const Outcome outcome =
-      run_task("trap 'exit 4' USR1; kill -USR1 $PPID; while true; do sleep 0.01; done");
-  EXPECT_EQ(outcome.code, 4);
-  EXPECT_EQ(outcome.told, "");
+  // 138: the signal itself has ended it.
+  for (const auto& [trap, code] : {std::pair{"trap 'exit 4' USR1; ", 4}, std::pair{"", 138}}) {
+    const Outcome outcome =
+        run_task(std::string(trap) + "kill -USR1 $PPID; while true; do sleep 0.01; done");
+    EXPECT_EQ(outcome.code, code) << trap;
+    EXPECT_EQ(outcome.told, "") << trap;
+  }
 }
 
 }  // namespace

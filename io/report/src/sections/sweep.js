@@ -269,7 +269,7 @@ function cases(sweep) {
     ...sweep.responses.map((r) => `${labelOf(r.name)}${r.unit === "1" ? "" : `, ${unitText(degrees(r.unit))}`}`),
   ];
   const rows = sweep.cases.map((entry, k) => [
-    entry.status === "not finished" ? entry.name : link(entry),
+    entry.status === "missing" ? entry.name : link(entry),
     ...sweep.factors.map((f) => f.texts[k]),
     plain(entry.seed),
     ...(entry.status === "finished"
@@ -295,12 +295,11 @@ function csvOf(sweep) {
 
 export function sweep(page) {
   const all = page.sweep;
-  const finished = all.cases.filter((entry) => entry.status === "finished").length;
-  const failed = all.cases.filter((entry) => !["finished", "not finished"].includes(entry.status)).length;
+  const count = (status) => all.cases.filter((entry) => entry.status.startsWith(status)).length;
   const seeds = new Set(all.cases.map((entry) => entry.seed)).size;
   const facts = [
-    `${finished} of ${all.cases.length} cases finished`,
-    failed ? `${failed} failed` : "",
+    `${count("finished")} of ${all.cases.length} cases finished`,
+    ...["failed", "running", "stopped", "missing"].map((status) => (count(status) ? `${count(status)} ${status}` : "")),
     all.factors.map(factorLabel).join(" × "),
     seeds > 1 ? `${seeds} seeds` : "",
   ].filter(Boolean);
