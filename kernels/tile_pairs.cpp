@@ -6,6 +6,18 @@ namespace quern {
 
 namespace {
 
+// Many short columns, which the law will read after a pass that does not.
+template <class Real>
+void prefetch(const ContactHistory<Real>& contacts, std::size_t history) {
+  constexpr std::size_t kInLine = 64 / sizeof(Real);
+  for (std::size_t k = 0; k < history; ++k) {
+    const Real* numbers = contacts.numbers.data() + k * contacts.stride;
+    for (std::size_t c = 0; c < contacts.count; c += kInLine) {
+      __builtin_prefetch(numbers + c, 0, 2);
+    }
+  }
+}
+
 // Room for what the contacts of a tile may tell.
 template <class Real>
 PairCollisions<Real> make_room(std::size_t contacts, std::size_t kinds,
@@ -61,10 +73,11 @@ void push_tile_pairs(const Kernels<Real>& kernels, const StepConstants<Real>& st
   for (Column<Index>* c : {&scratch.i, &scratch.j, &scratch.state}) {
     c->reset((rows_here + 1) * kPairPad);
   }
+  ContactHistory<Real>& old = pairs.contacts[tile];
+  prefetch(old, pairs.history());
   FoundPairs& found = scratch.found;
   found = {scratch.i.data(), scratch.j.data(), scratch.state.data()};
   kernels.find_pairs(step, particles, view, found);
-  ContactHistory<Real>& old = pairs.contacts[tile];
   if (collisions == nullptr) {
     scratch.spare.reset(found.touching, pairs.history());
     kernels.push_pairs(step, particles, found, old.view(), scratch.spare.view(), rows, tally,
