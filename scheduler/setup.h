@@ -4,6 +4,7 @@
 
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scheduler/sizes.h"
@@ -21,6 +22,10 @@ std::vector<PairValues> resolve_pairs(const Scene& scene);
 
 // Throws UserError if the scene has no such material.
 std::size_t material_row(const Scene& scene, const std::string& name);
+
+// The least that is solid of any particle, and the farthest that one reaches (m). Throws UserError if
+// there are none.
+std::pair<double, double> radius_range(std::span<const ParticleSeed> particles);
 
 // Walls and bodies at t = 0. `meshes` has the triangles of each row of scene.meshes.
 struct SceneGeometry {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "kernels/wall_collisions.h"
+#include "scheduler/grid_places.h"
 #include "scheduler/not_finite.h"
 #include "scheduler/totals.h"
 
@@ -76,19 +77,9 @@ void Stepper<Real>::prepare() {
 template <class Real>
 void Stepper<Real>::place_on_grid() {
   if (world_.precision != Precision::kSingle) return;
-  const Particles<Real>& p = world_.particles;
-  const PlaceGrid grid(world_.low, world_.high, world_.periodic, world_.largest_radius);
-  constants_.grid = grid;
-  on_grid_.reset(p.size());
-  on_grid_next_.reset(p.size());
-  graph_.for_each(world_.tiles(), [&](std::size_t tile, int) {
-    const std::size_t first = tile * world_.tile_size;
-    const std::size_t last = std::min<std::size_t>(p.size(), first + world_.tile_size);
-    for (std::size_t k = first; k < last; ++k) {
-      const Record<Real>& r = p.record[k];
-      on_grid_[k] = grid.at(r.x, r.y, r.z, static_cast<float>(r.radius));
-    }
-  });
+  constants_.grid = {world_.low, world_.high, world_.periodic, world_.largest_radius};
+  quern::place_on_grid(world_, constants_.grid, graph_, on_grid_);
+  on_grid_next_.reset(on_grid_.size());
 }
 
 template <class Real>
