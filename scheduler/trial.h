@@ -7,12 +7,12 @@
 
 namespace quern {
 
-// A dense packing of a scene's finest class on a wall, with fewer and fewer steps per contact: does it
-// come to rest?
+// A dense packing of a scene's finest class on a wall, with fewer and fewer steps per contact: does
+// it come to rest?
 struct StabilityPoint {
   double steps_per_contact = 0;
-  double energy = 0;       // median kinetic energy of a particle, J
-  bool stable = false;     // came to rest: energy below 1e-9 m g d
+  double energy = 0;    // median kinetic energy of a particle, J
+  bool stable = false;  // came to rest: energy below 1e-9 m g d
 };
 struct StabilityTrial {
   double limit = 0;  // fewest steps per contact with which the packing came to rest; 0: none
@@ -26,7 +26,8 @@ struct TrialSpec {
   double from = 0, to = 0;  // m
   std::string material, wall_material;
   std::vector<double> steps_per_contact = {8, 6.5, 5.2, 4.4, 4.0, 3.6, 3.2, 2.8, 2.5, 2.2};
-  double patience = 1.5;  // s, how long a packing may take to come to rest
+  double patience =
+      5;  // s, how long a packing may take to come to rest: a soft one swings for long
 };
 StabilityTrial measure_stability(const Scene& scene, const TrialSpec& spec);
 

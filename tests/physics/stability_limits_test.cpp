@@ -49,5 +49,27 @@ TEST(SlowStabilityLimits, OfDensePackingsLieBelowTheStepOfTheSagMill) {
   }
 }
 
+// A soft packing without tangential damping swings for seconds once it has been set going: the
+// trial must begin with one in which all but rattlers rest.
+TEST(StabilityLimits, AreFoundForSoftSpringsOfHertzMindlin) {
+  Scene scene;
+  Material charge = {"charge", 1190, 0};
+  charge.young_modulus = 5e7;
+  charge.poisson_ratio = 0.3;
+  scene.materials.push_back(charge);
+  scene.contact.law = ForceLaw::kHertzMindlin;
+  scene.contact.normal_force = NormalForce::kUnclamped;
+  scene.contact.tangential_damping = false;
+  scene.contact.restitution = 0.65;
+  scene.contact.sliding_friction = 0.3;
+  scene.contact.impact_speed = 2.43;
+  TrialSpec spec;
+  spec.from = spec.to = 0.01375;
+  spec.material = spec.wall_material = "charge";
+  const double limit = measure_stability(scene, spec).limit;
+  EXPECT_GT(limit, 0) << "nothing held";
+  EXPECT_LE(limit, 6.5);
+}
+
 }  // namespace
 }  // namespace quern::test
