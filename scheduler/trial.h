@@ -26,8 +26,7 @@ struct TrialSpec {
   double from = 0, to = 0;  // m
   std::string material, wall_material;
   std::vector<double> steps_per_contact = {8, 6.5, 5.2, 4.4, 4.0, 3.6, 3.2, 2.8, 2.5, 2.2};
-  double patience =
-      5;  // s, how long a packing may take to come to rest: a soft one swings for long
+  double patience = 5;  // s, for a packing to come to rest: a soft one swings for long
 };
 StabilityTrial measure_stability(const Scene& scene, const TrialSpec& spec);
 
