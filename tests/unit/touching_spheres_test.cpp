@@ -102,8 +102,8 @@ std::vector<bool> told(const Pairs& pairs, bool exchanged) {
 }
 
 TEST(TouchOnAGrid, IsFoundOnEveryTargetWhoeverIsTheOwner) {
-  int near = 0, spared = 0, touching = 0, across = 0;
   test::for_each_target<float>([&](const std::string& target) {
+    int near = 0, spared = 0, touching = 0, across = 0;
     for (std::size_t count = 1; count <= 3 * kPairPad + 1; ++count) {
       SCOPED_TRACE(target + ", " + std::to_string(count));
       const Pairs pairs(count, static_cast<unsigned>(count));
@@ -122,12 +122,12 @@ TEST(TouchOnAGrid, IsFoundOnEveryTargetWhoeverIsTheOwner) {
         across += std::abs(pairs.record[2 * k].z - pairs.record[2 * k + 1].z) > 1;
       }
     }
+    // The test is worth what its cases are.
+    EXPECT_GT(near, 20);
+    EXPECT_GT(spared, 20);
+    EXPECT_GT(touching, 20);
+    EXPECT_GT(across, 20);
   });
-  // The test is worth what its cases are.
-  EXPECT_GT(near, 100);
-  EXPECT_GT(spared, 100);
-  EXPECT_GT(touching, 100);
-  EXPECT_GT(across, 100);
 }
 
 TEST(TouchOnAGrid, IsNotToldOfTwoInFarCornersOfTheDomain) {
