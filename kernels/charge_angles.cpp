@@ -18,6 +18,7 @@ struct Scatter {
 };
 
 Scatter scatter_of(double value, std::span<const double> found) {
+  if (!std::isfinite(value)) return {};
   double count = 0, sum = 0, squares = 0;
   for (const double angle : found) {
     if (!std::isfinite(angle)) continue;

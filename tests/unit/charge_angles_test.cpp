@@ -145,6 +145,9 @@ TEST(AngleError, IgnoresTurnsAndWhatWasNotFound) {
   EXPECT_NEAR(angle_spread(0, found) / kDegree, std::sqrt(10.0 / 3), 1e-9);
   EXPECT_NEAR(angle_error(0, found) / kDegree, std::sqrt(10.0 / 3) / 2, 1e-9);
   EXPECT_TRUE(std::isnan(angle_error(0, std::vector<double>{kNan, 1})));
+  // Blocks may know what the whole does not; nothing is compared with it.
+  EXPECT_TRUE(std::isnan(angle_spread(kNan, found)));
+  EXPECT_TRUE(std::isnan(angle_error(kNan, found)));
 }
 
 TEST(LinerHistogram, FindsTheBinOfAPointWithoutItsAngle) {
