@@ -30,16 +30,17 @@ const char* state_name(SteadyState state) {
 }
 
 std::string cost_text(const TradeResult& r) {
-  if (!r.status.empty()) return "-";
   return fmt::format("{:.3g} ({:.3g}-{:.3g})", r.cost.ratio, r.cost.low, r.cost.high);
 }
 
-// Columns of texts, the first three to the left.
+// Columns of texts, the first three to the left. A row that ends early ends in words, which are as
+// wide as they like.
 std::string aligned(const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> width;
   for (const auto& row : rows) {
     width.resize(std::max(width.size(), row.size()), 0);
-    for (std::size_t k = 0; k < row.size(); ++k) width[k] = std::max(width[k], row[k].size());
+    const std::size_t count = row.size() < rows[0].size() ? row.size() - 1 : row.size();
+    for (std::size_t k = 0; k < count; ++k) width[k] = std::max(width[k], row[k].size());
   }
   std::string text;
   for (const auto& row : rows) {
@@ -67,9 +68,12 @@ std::string part_text(const TradeTable& table, const ErrorNames& names) {
     }
   }
   for (const TradeResult& r : table.rows) {
-    rows.push_back({r.row.dial, r.row.value + (r.front ? " *" : ""),
-                    r.status.empty() ? r.against : r.status, cost_text(r)});
-    if (!r.status.empty()) continue;
+    rows.push_back({r.row.dial, r.row.value + (r.front ? " *" : "")});
+    if (!r.status.empty()) {
+      rows.back().push_back(r.status);
+      continue;
+    }
+    rows.back().insert(rows.back().end(), {r.against, cost_text(r)});
     for (const std::string& name : names) {
       const TradeError* error = error_named(r, name);
       if (rows.back().size() < rows[0].size()) {
@@ -85,8 +89,8 @@ std::string numerics_text(const TradeTable& table) {
       {"dial", "value", "state", "cost", "time step, s", "steps a contact", "impact overlap",
        "restitution asked", "delivered", "scatter", "ledger error", "numerical loss"}};
   for (const TradeResult& r : table.rows) {
-    rows.push_back({r.row.dial, r.row.value, state_name(r.row.setting.state), cost_text(r)});
     if (!r.status.empty()) continue;
+    rows.push_back({r.row.dial, r.row.value, state_name(r.row.setting.state), cost_text(r)});
     const TradeFigures& f = r.figures;
     for (std::string text :
          {fmt::format("{:.3g}", f.time_step), fmt::format("{:.3g}", f.steps_per_contact),
@@ -234,9 +238,9 @@ std::string csv_text(const TradeTable& table) {
     }
     for (const std::string& name : names) {
       const TradeError* error = error_named(r, name);
-      csv += error != nullptr
-                 ? fmt::format(",{},{}", csv_number(error->value), csv_number(error->standard_error))
-                 : ",,";
+      csv += error != nullptr ? fmt::format(",{},{}", csv_number(error->value),
+                                            csv_number(error->standard_error))
+                              : ",,";
     }
     csv += "\n";
   }

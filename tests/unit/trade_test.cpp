@@ -144,6 +144,16 @@ TEST(TradeTable, FrontHoldsWhatNoOtherBeatsInBothCostAndPower) {
   EXPECT_NE(terminal_text(table).find("went wrong"), std::string::npos);
 }
 
+TEST(TradeTable, WhatWentWrongMayBeLongerThanAnyColumn) {
+  TradeTable table;
+  table.rows = {result("default", "a", 1, 1), result("x", "b", 0.5, 2)};
+  const std::size_t head = terminal_text(table).find("\ndefault");
+  table.rows.push_back(result("x", "c", 0.1, 0));
+  table.rows.back().status = std::string(300, 'w');
+  EXPECT_EQ(terminal_text(table).find("\ndefault"), head);
+  EXPECT_NE(terminal_text(table).find(table.rows.back().status), std::string::npos);
+}
+
 TEST(TradeTable, CheckReadsTheNearestCoarserSettingBackFromCsv) {
   TradeTable table;
   table.rows = {result("default", "13 steps", 1, 0.15), result("steps per contact", "4", 0.3, 7),
