@@ -92,7 +92,7 @@ function errorsTable(trade) {
   const head = ["", "against", "cost", ...figures.map((e) => `${e.label}, ${unitOf(e)}`)];
   const rows = trade.rows.map((row) => [
     rowHead(row),
-    row.status || row.against,
+    row.status ? el("span", { class: "reason" }, row.status) : row.against,
     costText(row),
     ...figures.map((figure) => (row.status ? "" : errorText(errorOf(row, figure.name)))),
   ]);
