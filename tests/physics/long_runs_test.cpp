@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "kernels/rotate.h"
@@ -100,14 +101,16 @@ double farthest(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
 
 // Ten million steps of a bed at rest. In f64 nothing moves any more. In mixed forces are rounded to
 // 6e-8 of themselves, some 1e-8 N, anew in each step: a sphere swings with what a contact's damping
-// leaves of that. No trend: the second half is as cold as the first, and no sphere has gone
-// further than a ten-thousandth of the overlap that it rests on, some 1e-8 m.
+// leaves of that. No trend: the second half is as cold as the first, and what stretches of springs
+// (as long as the overlaps that it rests on, some 1e-8 m) and places lose to rounding adds up to no
+// more than a random walk.
 TYPED_TEST(SlowLongRuns, ABedAtRestNeitherDriftsNorHeats) {
   const Scene scene = small_bed();
   World<TypeParam> world = world_of<TypeParam>(scene);
   Stepper<TypeParam> stepper(world, 1);
+  // Until a sphere that touches nothing but the floor, and rolls on for ever, has stopped as well.
   world.drag = std::exp(-20 * world.clock.dt);
-  run_steps(world, stepper, 200000);
+  run_steps(world, stepper, 1000000);
   world.drag = 1;
   run_steps(world, stepper, 200000);
   if (this->HasFatalFailure()) return;
@@ -129,7 +132,9 @@ TYPED_TEST(SlowLongRuns, ABedAtRestNeitherDriftsNorHeats) {
               2 * world.totals.pair_contacts / 36);
   EXPECT_LT(hottest[0], 1e-20);
   EXPECT_LT(hottest[1], 2 * hottest[0] + 1e-30);
-  EXPECT_LT(drift, 1e-12);
+  const double rounding = std::numeric_limits<TypeParam>::epsilon() * 1e-8 +
+                          std::numeric_limits<double>::epsilon() * 0.03;
+  EXPECT_LT(drift, 4 * std::sqrt(1.0 * kBlocks * kBlock) * rounding);
   EXPECT_NEAR(floor, 1, 1e-6);
 }
 
