@@ -6,6 +6,8 @@
 // - No file locks, so that a running simulation's series can be read.
 // - In a growing file every object begins a page, and a chunk of a series fits in one: a kill in the
 //   middle of a write cannot tear it (of 400 files without, killed in a tight loop, one was broken).
+// - While a file is open the library remembers each array written to it, 6 kB, and each gap before
+//   a page: a growing file is closed and opened again now and then.
 // - After a failed write (disk full) the library's clean-up at exit crashes: it is then left out.
 #include "io/hdf5_file.h"
 
@@ -28,6 +30,7 @@ static_assert(sizeof(hid_t) == sizeof(std::int64_t), "Hdf5File::Id must hold HDF
 constexpr hsize_t kPage = 4096;
 constexpr hsize_t kSeriesChunkRows = kPage / sizeof(double) - 1;  // and 4 bytes of checksum
 constexpr std::size_t kChunkBytes = std::size_t{1} << 20;         // fits HDF5's chunk cache
+constexpr std::size_t kWrittenInMemory = 1000;                    // arrays, 6 MB
 
 using CloseFunction = herr_t (*)(hid_t);
 
@@ -197,7 +200,17 @@ void Hdf5File::close() {
 }
 
 void Hdf5File::flush() {
+  if (written_ > kWrittenInMemory) return reopen();
   if (H5Fflush(file_, H5F_SCOPE_LOCAL) < 0) fail("flush");
+}
+
+void Hdf5File::reopen() {
+  const std::vector<Series> open = series_;
+  close();
+  mode_ = FileMode::kUpdate;
+  file_ = open_file();
+  for (const Series& one : open) series_.push_back({open_dataset(one.name), one.name, one.rows});
+  written_ = 0;
 }
 
 void Hdf5File::fail(const std::string& operation, std::string reason) const {
@@ -270,6 +283,7 @@ void Hdf5File::write_array(const std::string& name, Id type, const ArrayLayout& 
     H5Pset_fill_time(creation.get(), H5D_FILL_TIME_NEVER);
   }
   make_parents(name);
+  ++written_;
   const Handle dataset(
       H5Dcreate2(file_, name.c_str(), type, space.get(), H5P_DEFAULT, creation.get(), H5P_DEFAULT),
       H5Dclose);
@@ -428,18 +442,6 @@ void Hdf5File::read_attribute(const std::string& object, const std::string& name
     fail(fmt::format("read attribute '{}' of '{}'", name, object),
          fmt::format("is not one {}", row_of(type).name));
   }
-}
-
-double Hdf5File::f64_attribute(const std::string& object, const std::string& name) const {
-  double value = 0;
-  read_attribute(object, name, ElementType::kF64, &value);
-  return value;
-}
-
-std::uint64_t Hdf5File::u64_attribute(const std::string& object, const std::string& name) const {
-  std::uint64_t value = 0;
-  read_attribute(object, name, ElementType::kU64, &value);
-  return value;
 }
 
 std::size_t Hdf5File::create_series(const std::string& name) {

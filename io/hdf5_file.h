@@ -47,7 +47,7 @@ class Hdf5File {
   ~Hdf5File();  // closes without reporting; call close() where a lost write matters
 
   void close();
-  void flush();
+  void flush();  // of a growing file; what the library remembers of it stays below some megabytes
   const std::string& path() const { return path_; }
 
   bool exists(const std::string& name) const;
@@ -73,8 +73,12 @@ class Hdf5File {
                      std::span<const std::int64_t> values);
   bool has_attribute(const std::string& object, const std::string& name) const;
   std::string text_attribute(const std::string& object, const std::string& name) const;
-  double f64_attribute(const std::string& object, const std::string& name) const;
-  std::uint64_t u64_attribute(const std::string& object, const std::string& name) const;
+  double f64_attribute(const std::string& object, const std::string& name) const {
+    return scalar<double>(object, name);
+  }
+  std::uint64_t u64_attribute(const std::string& object, const std::string& name) const {
+    return scalar<std::uint64_t>(object, name);
+  }
 
   // Extendible rank-1 f64 datasets; they stay open until close(). The handle is an index.
   // A kill may leave a row whose extent was written and its chunk was not: it reads as NaN.
@@ -96,11 +100,18 @@ class Hdf5File {
     std::size_t rows;
   };
   Id open_file() const;
+  void reopen();
   void make_parents(const std::string& name);
   Id open_dataset(const std::string& name) const;
   Id open_attribute(const std::string& object, const std::string& name) const;
   void read_attribute(const std::string& object, const std::string& name, ElementType type,
                       void* value) const;
+  template <class T>
+  T scalar(const std::string& object, const std::string& name) const {
+    T value = 0;
+    read_attribute(object, name, element_type_of<T>(), &value);
+    return value;
+  }
   void write_attribute(const std::string& object, const std::string& name, Id type, Id space,
                        const void* value);
   void write_scalar(const std::string& object, const std::string& name, Id type, const void* value);
@@ -110,6 +121,7 @@ class Hdf5File {
   FileMode mode_;
   Id file_ = -1;
   std::vector<Series> series_;
+  std::size_t written_ = 0;  // arrays since the file was opened
 };
 
 }  // namespace quern

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/laws/stiffness.h"
 #include "scheduler/setup.h"
 
 namespace quern {
@@ -34,14 +35,32 @@ std::uint64_t steps_in(double time, double dt) {
   return static_cast<std::uint64_t>(std::llround(std::max(time, 0.0) / dt));
 }
 
+// s, of the slowest swing of a bed that is `depth` m high and stands on its floor: four times its
+// depth over the speed of sound along a row of spheres, d sqrt(k / m), of the softest pair.
+double swing_time(const Scene& scene, double depth, double radius) {
+  double density = 0, softest = HUGE_VAL;
+  for (const Material& m : scene.materials) density = std::max(density, m.density);
+  const double load = density * scene.run.gravity.norm() * depth * 4 * radius * radius;
+  for (const PairValues& pair : resolve_pairs(scene)) {
+    double stiffness = pair.normal_stiffness;
+    if (scene.contact.law == ForceLaw::kHertzMindlin) {  // where it carries the load
+      const double factor = stiffness * std::sqrt(reduced_radius(radius, radius));
+      stiffness = 1.5 * std::cbrt(load * factor * factor);
+    }
+    if (stiffness > 0) softest = std::min(softest, stiffness);
+  }
+  return 2 * depth / radius * std::sqrt(density * sphere_volume(radius) / softest);
+}
+
 void add_settling(const Scene& scene, double dt, double depth, double rest_energy,
-                  std::vector<PhasePlan>& plan) {
+                  double smallest_radius, std::vector<PhasePlan>& plan) {
   const RunSpec& run = scene.run;
   const bool until_rest = run.settle == SettleKind::kUntilRest;
   const double gravity = std::max(run.gravity.norm(), 1e-9);
   const double fall = std::sqrt(2 * depth / gravity);
   double total = run.settle_time;
-  if (until_rest && total <= 0) total = 4 * fall + 1;
+  // Long enough for what is placed loosely: under the drag it falls at gravity / kSoftDrag.
+  if (until_rest && total <= 0) total = std::max(4 * fall, depth * kSoftDrag / gravity) + 1;
   const bool soft = run.soft_stiffness < 1;
   const double stretch = soft ? 1 / step_factor(scene, run.soft_stiffness) : 1;
   double soft_time = total - kTrueLawTime;
@@ -51,15 +70,19 @@ void add_settling(const Scene& scene, double dt, double depth, double rest_energ
     plan.push_back({Phase::kSoft, run.soft_stiffness, dt * stretch,
                     scene.fill.method == FillMethod::kRain ? kRainDrag : kSoftDrag,
                     steps_in(soft_time, dt * stretch), until_rest ? rest_energy : 0});
+    // A bed that swings slower than it stiffens would be thrown up: it takes longer, under less
+    // drag.
+    const double slow = std::max(1.0, swing_time(scene, depth, smallest_radius) / kStiffenTime);
+    const double longer = slow * slow, drag = kStiffenDrag / slow;
     for (int stage = 1; stage <= kStiffenStages; ++stage) {
       // Slow at the soft end, where the bed rises most and steps are long.
       const double x = stage / double{kStiffenStages};
       const double stiffness = std::pow(run.soft_stiffness, 1 - x * x);
       const double stage_dt = dt / step_factor(scene, stiffness);
-      plan.push_back({Phase::kStiffen, stiffness, stage_dt, kStiffenDrag,
-                      steps_in(kStiffenTime / kStiffenStages, stage_dt), 0});
+      plan.push_back({Phase::kStiffen, stiffness, stage_dt, drag,
+                      steps_in(longer * kStiffenTime / kStiffenStages, stage_dt), 0});
     }
-    plan.push_back({Phase::kStiffen, 1, dt, kStiffenDrag, steps_in(run.calm_time, dt), 0});
+    plan.push_back({Phase::kStiffen, 1, dt, drag, steps_in(longer * run.calm_time, dt), 0});
     plan.push_back({Phase::kSettle, 1, dt, 0, steps_in(kTrueLawTime, dt), 0});
   } else {
     plan.push_back({Phase::kSettle, 1, dt, 0, steps_in(total, dt), until_rest ? rest_energy : 0});
@@ -107,7 +130,7 @@ std::vector<PhasePlan> plan_phases(const Scene& scene, double dt, double depth, 
   if (scene.run.settle != SettleKind::kNone && scene.run.start == StartKind::kFill) {
     // At rest: the kinetic energy would not lift the charge by a hundredth of its finest radius.
     const double rest_energy = 0.01 * mass * scene.run.gravity.norm() * smallest_radius;
-    add_settling(scene, dt, depth, rest_energy, plan);
+    add_settling(scene, dt, depth, rest_energy, smallest_radius, plan);
   }
   plan.push_back({Phase::kRun, 1, dt, 0, steps_in(run_time(scene), dt), 0});
   return plan;

@@ -3,7 +3,8 @@
 //   soft      stiffness * soft_stiffness, a longer step, a drag; until it rests
 //   stiffen   stiffness back to the scene's in many small stages, slower than sound crosses the bed,
 //             so that the overlaps of the soft phase are given back without a jump of the charge; then
-//             the calm (`run.calm`): full stiffness under the same drag
+//             the calm (`run.calm`): full stiffness under the same drag. Both take longer, and the
+//             drag is less, where the bed is so deep that it swings slower than that
 //   relax     of a start with deep overlaps, as after an exchange of shapes (scheduler/exchange):
 //             contacts push as if no deeper than a cap, under drag. A contact comes apart no faster than cap sqrt(k / m) over
 //             twice its damping ratio, where spring and dashpot cancel, however deep it was; so the
