@@ -1,13 +1,12 @@
 // HDF5's C API behind Hdf5File; the only code that includes it.
 //
 // Format choices, all tried with 1.10.8:
-// - A file is created with superblock 2 and then raised to V110. A V110 file has superblock 3, which
+// - A file is created with superblock 2 and then raised to V110. A V110 file has superblock 3 and
 //   marks itself "open for write": after a kill nobody can open it, and h5py cannot while we run.
 // - No file locks, so that a running simulation's series can be read.
-// - In a growing file every object begins a page, and a chunk of a series fits in one: a kill in the
-//   middle of a write cannot tear it (of 400 files without, killed in a tight loop, one was broken).
-// - While a file is open the library remembers each array written to it, 6 kB, and each gap before
-//   a page: a growing file is closed and opened again now and then.
+// - In a growing file every object begins a page, and a chunk of a series fits in one: a kill in
+//   a write cannot tear it (of 400 files without, killed in a tight loop, one was broken). It is
+//   closed and opened again every so many arrays: the library keeps 6 kB of each until then.
 // - After a failed write (disk full) the library's clean-up at exit crashes: it is then left out.
 #include "io/hdf5_file.h"
 
@@ -30,7 +29,7 @@ static_assert(sizeof(hid_t) == sizeof(std::int64_t), "Hdf5File::Id must hold HDF
 constexpr hsize_t kPage = 4096;
 constexpr hsize_t kSeriesChunkRows = kPage / sizeof(double) - 1;  // and 4 bytes of checksum
 constexpr std::size_t kChunkBytes = std::size_t{1} << 20;         // fits HDF5's chunk cache
-constexpr std::size_t kWrittenInMemory = 1000;                    // arrays, 6 MB
+constexpr std::size_t kWrittenInMemory = 100;  // arrays; a flush looks through them
 
 using CloseFunction = herr_t (*)(hid_t);
 
