@@ -22,6 +22,10 @@ struct FillReport {
   double seconds = 0;   // of wall clock
   double fraction = 0;  // solid over the volume of the region below the level reached
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();  // bounds of all particles that have a place
+  // m: how far they may fall.
+  double height(const Vec3& gravity) const {
+    return (high - low).dot(gravity.normalized().cwiseAbs());
+  }
 };
 
 // Whether the scene lets particles rain in over time (scheduler/rain).

@@ -120,7 +120,7 @@ double Start<Real>::fill(SceneGeometry& geometry) {
   say_(fmt::format("placed {} particles in {:.1f} s, solid fraction {:.3f}", loaded.seeds.size(),
                    report.seconds, report.fraction));
   for (const std::string& line : check_overlaps(scene, walls, loaded.seeds)) log_warn(line);
-  return (report.high - report.low).maxCoeff();
+  return report.height(scene.run.gravity);
 }
 
 template <class Real>

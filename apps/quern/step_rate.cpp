@@ -43,7 +43,7 @@ bool place_all(const Scene& scene, SceneGeometry& geometry, std::vector<Particle
                                     scene.fill.over)
                       : ""));
   include_fill(at_once, fill.low, fill.high, geometry);
-  depth = (fill.high - fill.low).maxCoeff();
+  depth = fill.height(scene.run.gravity);
   return true;
 }
 
@@ -56,7 +56,7 @@ std::optional<StepRate> measure(LoadedScene& loaded, int threads, double time, S
   World<Real> world =
       make_world<Real>(loaded.scene, std::move(geometry), seeds, seeds, std::move(loaded.shapes));
   const std::vector<PhasePlan> plan =
-      plan_phases(loaded.scene, loaded.dt, depth, world.total_mass, 0.01);
+      plan_phases(loaded.scene, loaded.dt, depth, world.total_mass, world.smallest_radius);
   StepRate rate;
   for (const PhasePlan& phase : plan) rate.steps += static_cast<double>(phase.steps);
   rate.run_steps = static_cast<double>(plan.back().steps);
