@@ -22,8 +22,8 @@ FileMode file_mode(const std::string& path, SeriesMode mode) {
                                                                       : FileMode::kCreateGrowing;
 }
 
-std::string beside(const std::string& path, const char* name) {
-  return std::filesystem::path(path).replace_extension(std::string(name) + ".h5").string();
+std::string kept_beside(const std::string& path) {
+  return std::filesystem::path(path).replace_extension("previous.h5").string();
 }
 
 // Throws if anything cannot be read: a full disk leaves a file that opens and lacks its end.
@@ -41,18 +41,18 @@ void read_everything(const std::string& path) {
   }
 }
 
-// The path, after the kept copy has taken the place of a file that cannot be read.
-const std::string& mend(const std::string& path, SeriesMode mode) {
-  const std::string kept = beside(path, "previous"), damaged = beside(path, "damaged");
-  if (mode != SeriesMode::kAppend || !std::filesystem::exists(path)) return path;
+// The path, after the kept copy has taken the file's place: what a killed run has written since may
+// be torn so that HDF5 crashes on it, and is written again anyway.
+const std::string& restore(const std::string& path, SeriesMode mode) {
+  const std::string kept = kept_beside(path);
+  if (mode != SeriesMode::kAppend || !std::filesystem::exists(kept)) return path;
   try {
-    read_everything(path);
+    read_everything(kept);
   } catch (const SystemError& error) {
-    if (!std::filesystem::exists(kept)) throw;
-    rename_file("series", path, damaged);
-    copy_file("series", kept, path);
-    log_warn(fmt::format("going on with '{}' as '{}', because: {}", kept, path, error.what()));
+    log_warn(fmt::format("going on with '{}' as it is, because: {}", path, error.what()));
+    return path;
   }
+  copy_file("series", kept, path);
   return path;
 }
 
@@ -60,7 +60,7 @@ const std::string& mend(const std::string& path, SeriesMode mode) {
 
 SeriesWriter::SeriesWriter(const std::string& path, const std::vector<Quantity>& quantities,
                            SeriesMode mode)
-    : path_(path), file_("series", mend(path, mode), file_mode(path, mode)) {
+    : path_(path), file_("series", restore(path, mode), file_mode(path, mode)) {
   for (const Quantity& quantity : quantities) names_.push_back(quantity.name);
   const auto time = std::find(names_.begin(), names_.end(), "time");
   QUERN_CHECK(time != names_.end());
@@ -113,7 +113,7 @@ void SeriesWriter::cut(std::size_t rows) {
   rows_ = rows;
 }
 
-void SeriesWriter::keep() const { copy_file("series", path_, beside(path_, "previous")); }
+void SeriesWriter::keep() const { copy_file("series", path_, kept_beside(path_)); }
 
 void SeriesWriter::append(std::span<const double> row) {
   QUERN_CHECK(row.size() == names_.size());

@@ -6,9 +6,8 @@
 //
 // After each row the file is flushed, so a killed run leaves a file that h5py opens, at most one
 // row short. Kills between two writes may leave datasets of unequal length: opening cuts to the
-// shortest. A kill within a write can leave a file that does not open at all: keep() puts a copy
-// beside it, OUT/run.previous.h5, from which kAppend goes on then; what did not open stays as
-// OUT/run.damaged.h5.
+// shortest. A kill within a write can tear the file: keep() puts a copy beside it,
+// OUT/run.previous.h5, and that is what kAppend goes on from.
 #pragma once
 
 #include <span>

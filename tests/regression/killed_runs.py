@@ -68,7 +68,7 @@ def opens(path):
     try:
         arrays(path)
         return True
-    except OSError:
+    except (OSError, RuntimeError):  # the latter where the file opens and an object lies past its end
         return False
 
 
