@@ -4,9 +4,8 @@
 // - A file is created with superblock 2 and then raised to V110. A V110 file has superblock 3 and
 //   marks itself "open for write": after a kill nobody can open it, and h5py cannot while we run.
 // - No file locks, so that a running simulation's series can be read.
-// - In a growing file every object begins a page, and a chunk of a series fits in one: a kill in
-//   a write cannot tear it (of 400 files without, killed in a tight loop, one was broken). It is
-//   closed and opened again every so many arrays: the library keeps 6 kB of each until then.
+// - In a growing file every object begins a page, and a chunk of a series fits in one: fewer kills
+//   in a write tear it, but some do. It is opened anew after so many arrays: 6 kB each in memory.
 // - After a failed write (disk full) the library's clean-up at exit crashes: it is then left out.
 #include "io/hdf5_file.h"
 

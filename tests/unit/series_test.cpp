@@ -116,18 +116,25 @@ TEST(Series, ContinuesWithoutASeam) {
   for (int i = 0; i < 900; ++i) EXPECT_EQ(energy[static_cast<std::size_t>(i)], -1.0 * i);
 }
 
+// A run that wrote 300 rows, kept them, wrote 100 more and was killed.
+void leave_kept_rows(const std::string& path) {
+  SeriesWriter series(path, kQuantities, SeriesMode::kNew);
+  append_rows(series, 0, 300);
+  series.keep();
+  append_rows(series, 300, 400);
+}
+
+void tear(const std::string& path) {
+  std::filesystem::resize_file(path, std::filesystem::file_size(path) / 3);
+}
+
 // Whether a kill has torn the file since or not: a torn one may open, and crash HDF5 inside.
 TEST(Series, GoesOnFromTheKeptCopy) {
   for (const bool torn : {false, true}) {
     const TempFolder folder;
     const std::string path = folder / "run.h5";
-    {
-      SeriesWriter series(path, kQuantities, SeriesMode::kNew);
-      append_rows(series, 0, 300);
-      series.keep();
-      append_rows(series, 300, 400);
-    }
-    if (torn) std::filesystem::resize_file(path, std::filesystem::file_size(path) / 3);
+    leave_kept_rows(path);
+    if (torn) tear(path);
     {
       SeriesWriter series(path, kQuantities, SeriesMode::kAppend);
       EXPECT_EQ(series.rows(), 300u);
@@ -140,13 +147,8 @@ TEST(Series, GoesOnFromTheKeptCopy) {
 TEST(Series, GoesOnAsItIsIfTheKeptCopyCannotBeRead) {
   const TempFolder folder;
   const std::string path = folder / "run.h5";
-  {
-    SeriesWriter series(path, kQuantities, SeriesMode::kNew);
-    append_rows(series, 0, 300);
-    series.keep();
-    append_rows(series, 300, 400);
-  }
-  std::filesystem::resize_file(folder / "run.previous.h5", 5000);
+  leave_kept_rows(path);
+  tear(folder / "run.previous.h5");
   const SeriesWriter series(path, kQuantities, SeriesMode::kAppend);
   EXPECT_EQ(series.rows(), 400u);
 }
