@@ -14,7 +14,7 @@
 namespace quern {
 namespace {
 
-constexpr std::uint64_t kFormat = 3;
+constexpr std::uint64_t kFormat = 4;
 constexpr const char* kWhat = "checkpoint";
 const std::string kState = "state";  // NOLINT(cert-err58-cpp): a short string cannot throw
 const std::string kSceneText = "header/scene_text";

@@ -157,7 +157,7 @@ void push_spheres(const StepConstants<double>& step, const ParticleView<Real>& p
     HistoryV<V> old;
     old.spring = {h[0], h[1], h[2]};
     old.force = {h[3], h[4], h[5]};
-    old.moment = {zero, zero, zero};
+    old.rest = old.moment = {zero, zero, zero};
     const PartnerV<Real> a = load_partner(p, c.sphere + at);
     NearTouchV<Real> g;
     set_near_geometry(a, c, at, h, g);
@@ -246,7 +246,8 @@ void push_bodies(const StepConstants<double>& step, const BodyContacts& c) {
     t.reduced_radius = load(B::kReducedRadius);
     t.contacts = t.inverse_inertia = hn::Zero(d);
     const V zero = hn::Zero(d);
-    const HistoryV<V> old = {vector(B::kSpring), vector(B::kForce), {zero, zero, zero}};
+    const Vec3V<V> none = {zero, zero, zero};
+    const HistoryV<V> old = {vector(B::kSpring), vector(B::kForce), none, none};
     const auto row = hn::PromoteTo(D64I(), hn::BitCast(D32I(), hn::LoadU(D32U(), c.law_row + at)));
     const ResponseV<V> r = respond<double, DampedLaw<Springs>>(
         step, load_coefficients<double>(step.law, row), t, old, hn::Gt(t.overlap, zero));

@@ -182,6 +182,7 @@ struct MoveView {
   GridPlace* on_grid_next;  // `single`, else null
   const PlaceGrid* grid;
   double* spin[3];              // f64 spin, rad/s
+  float* rest[3];               // m, what rounding has left of the places
   const double* list_place[3];  // position when the lists were built
   const float* list_velocity[3];
   const float* list_allowance;  // m, allowed distance from the straight line

@@ -83,6 +83,7 @@ void append_sphere(World<Real>& world, const Scene& scene, const ParticleSeed& s
   p.spin_x[k] = seed.spin.x();
   p.spin_y[k] = seed.spin.y();
   p.spin_z[k] = seed.spin.z();
+  p.rest_x[k] = p.rest_y[k] = p.rest_z[k] = 0;
   p.list_x[k] = p.list_y[k] = p.list_z[k] = 0;
   p.list_vx[k] = p.list_vy[k] = p.list_vz[k] = 0;
   p.pair_first[k] = p.pair_count[k] = 0;

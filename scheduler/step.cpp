@@ -161,10 +161,12 @@ void Stepper<Real>::run_tile(std::size_t tile, int worker) {
   m.on_grid_next = on_grid_next_.data();
   m.grid = &constants_.grid;
   Column<double>* spin[3] = {&p.spin_x, &p.spin_y, &p.spin_z};
+  Column<float>* rest[3] = {&p.rest_x, &p.rest_y, &p.rest_z};
   Column<double>* place[3] = {&p.list_x, &p.list_y, &p.list_z};
   Column<float>* velocity[3] = {&p.list_vx, &p.list_vy, &p.list_vz};
   for (int a = 0; a < 3; ++a) {
     m.spin[a] = spin[a]->data();
+    m.rest[a] = rest[a]->data();
     m.list_place[a] = place[a]->data();
     m.list_velocity[a] = velocity[a]->data();
     m.gravity[a] = world_.gravity[a];

@@ -72,8 +72,11 @@ void count_spheres(const World<Real>& world, StepCost& cost) {
   bytes(Stage::kSpherePairs) =
       bytes_of(pairs.owner) + bytes_of(pairs.row_begin) + bytes_of(pairs.partner) +
       kBoth * (bytes_of(pairs.open) + histories) + bytes_of(pairs.first_contact);
-  bytes(Stage::kMotion) += kBoth * (bytes_of(p.record) + bytes_of(p.traits) + bytes_of(p.spin_x) +
-                                    bytes_of(p.spin_y) + bytes_of(p.spin_z));
+  bytes(Stage::kMotion) += kBoth * (bytes_of(p.record) + bytes_of(p.traits));
+  for (const ColumnBase* column : std::initializer_list<const ColumnBase*>{
+           &p.spin_x, &p.spin_y, &p.spin_z, &p.rest_x, &p.rest_y, &p.rest_z}) {
+    bytes(Stage::kMotion) += kBoth * bytes_of(*column);
+  }
   const bool on_grid = world.precision == Precision::kSingle;
   if (on_grid) {
     bytes(Stage::kSpherePairs) += n * sizeof(GridPlace);

@@ -32,11 +32,11 @@ struct Operations {
 // Estimates: counted in touching_bits(), sphere_sphere(), respond() and move_spheres(), for lanes
 // that hold a pair. A slot that touches is an idle one first.
 inline constexpr Operations kOfIdleSlot = {2, 14}, kOfSlotOnGrid = {17, 0},
-                            kOfTouchingSlot = {340, 28};
+                            kOfTouchingSlot = {357, 28};
 inline constexpr Operations kOfDamping = {27, 0},
                             kOfRolling = {57, 0},  // besides, of a touching slot
     kOfHertzMindlin = {60, 0};
-inline constexpr Operations kOfMotion = {0, 108};  // of a sphere
+inline constexpr Operations kOfMotion = {0, 117};  // of a sphere
 
 struct StepCost {
   std::array<double, kStageNames.size()> listed{};  // pairs a step looks at; walls: facets

@@ -45,6 +45,7 @@ void add_particles(const World<Real>& world, Hasher& h) {
     const Record<Real>& r = p.record[k];
     for (const double v : {r.x, r.y, r.z, r.vx, r.vy, r.vz}) h.add(v);
     for (const double v : {p.spin_x[k], p.spin_y[k], p.spin_z[k]}) h.add(v);
+    for (const float v : {p.rest_x[k], p.rest_y[k], p.rest_z[k]}) h.add(v);
     h.add(r.radius);
     h.add(std::uint64_t{p.traits[k].tag});
   }

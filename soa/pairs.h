@@ -26,8 +26,8 @@
 
 namespace quern {
 
-inline constexpr std::size_t kPairPad = 16;                      // the widest vector of f32
-inline constexpr std::size_t kHistory = 6, kRollingHistory = 9;  // numbers a contact
+inline constexpr std::size_t kPairPad = 16;                       // the widest vector of f32
+inline constexpr std::size_t kHistory = 9, kRollingHistory = 12;  // numbers a contact
 // And of own ones while collisions are recorded: energy of its episode (see soa/collisions.h) as a
 // sum and what its rounding has left, energy of approach.
 inline constexpr std::size_t kEpisodeHistory = 3;
@@ -40,7 +40,7 @@ struct HistoryView {
 };
 
 // What the contacts of a tile remember: tangential spring x y z, force on i in the last step x y z,
-// rolling moment x y z, episode.
+// what rounding has left of the spring x y z, rolling moment x y z, episode.
 template <class Real>
 struct ContactHistory {
   Column<Real> numbers;

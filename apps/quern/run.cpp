@@ -5,9 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <ctime>
 #include <filesystem>
 #include <memory>
 #include <sstream>
@@ -30,10 +32,20 @@ namespace {
 namespace fs = std::filesystem;
 
 volatile std::sig_atomic_t g_signal = 0;
+std::atomic<std::time_t> g_signal_times[NSIG];  // s, of the first of each
+static_assert(std::atomic<std::time_t>::is_always_lock_free);
 
+// A second one ends at once. Within two seconds it is the same one told again: `timeout` signals
+// its command and then the group that this is in, batch systems do likewise.
 void on_signal(int signal) {
   g_signal = signal;
-  std::signal(signal, SIG_DFL);  // a second one ends at once
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  const std::time_t first = g_signal_times[signal];
+  if (first == 0) g_signal_times[signal] = now.tv_sec;
+  if (first == 0 || now.tv_sec - first < 2) return;
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
 }
 
 double now() {

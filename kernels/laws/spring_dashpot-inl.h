@@ -65,9 +65,11 @@ struct TouchV {
   V inverse_inertia;          // 1/I*
 };
 
+// `rest` is what rounding has left of the spring in earlier steps: without it a bed at rest, which
+// slips by less than a last place of its springs a step, would creep.
 template <class V>
 struct HistoryV {
-  Vec3V<V> spring, force, moment;
+  Vec3V<V> spring, force, rest, moment;
 };
 
 // What bodies that are no spheres have besides: their tangential mobility is not 3.5/m, and the
@@ -83,7 +85,7 @@ struct BodyTouchV : TouchV<V> {
 // Everything a contact did in this step; masked lanes are zero.
 template <class V>
 struct ResponseV {
-  Vec3V<V> force, tangential, moment, spring;
+  Vec3V<V> force, tangential, moment, spring, rest;
   V work, elastic, slide, tangential_damping, numerical_loss;
   V model_work;  // J, put into the tangential spring by a stiffness that changed; kChanging only
   V reduction;   // kn' / kn
@@ -110,19 +112,18 @@ struct Recorded : Law {  // collisions are recorded
   static constexpr bool kRecorded = true;
 };
 
-// Turns the tangential spring with the contact: the rotation that takes the old normal to the new
-// one (length kept), then by the partners' mean spin about the normal. `inverse` is that of
-// 1 + n.n_old.
+// What turning the tangential spring with the contact adds to it: the rotation that takes the old
+// normal to the new one (length kept), then by the partners' mean spin about the normal. `inverse`
+// is that of 1 + n.n_old.
 template <class V>
-HWY_INLINE Vec3V<V> carry_spring(const Vec3V<V>& spring, const TouchV<V>& t, V half_dt, V inverse) {
+HWY_INLINE Vec3V<V> turning_of(const Vec3V<V>& spring, const TouchV<V>& t, V half_dt, V inverse) {
   const hn::DFromV<V> d;
   const Vec3V<V>& n = t.normal;
-  const V turn = hn::Mul(dot(spring, n), inverse);
-  const Vec3V<V> carried = add_scaled(spring, hn::Neg(turn), n + t.normal_old);
+  const V turn = hn::Mul(dot(spring, n), hn::Neg(inverse));
+  const Vec3V<V> across = scale(turn, n + t.normal_old), carried = spring + across;
   const V angle = hn::Mul(half_dt, dot(t.spin_i + t.spin_j, n));
-  const V shorten =
-      hn::NegMulAdd(hn::Mul(hn::Set(d, hn::TFromV<V>(0.5)), angle), angle, hn::Set(d, 1));
-  return add_scaled(scale(shorten, carried), angle, cross(n, carried));
+  const V shorter = hn::Mul(hn::Mul(hn::Set(d, hn::TFromV<V>(-0.5)), angle), angle);
+  return add_scaled(add_scaled(across, shorter, carried), angle, cross(n, carried));
 }
 
 // Constants of a contact with what the step's length takes off them, see kernels/README.md.
@@ -233,8 +234,10 @@ HWY_INLINE ResponseV<V> respond(const StepConstants<Real>& step, const Coefficie
 
   // Tangential force: trial, then Coulomb's cap on spring and dashpot together.
   const Vec3V<V> vt = add_scaled(t.at_point, hn::Neg(dot(n, t.at_point)), n);
-  const Vec3V<V> spring_old = keep_if(touching, carry_spring(old.spring, t, half_dt, c.turn));
-  const Vec3V<V> spring_trial = add_scaled(spring_old, hn::IfThenElseZero(touching, dt), vt);
+  const Vec3V<V> turning = turning_of(old.spring, t, half_dt, c.turn);
+  const Vec3V<V> stretch = add_scaled(old.rest + turning, dt, vt);
+  const Vec3V<V> spring_old = keep_if(touching, old.spring + turning);
+  const Vec3V<V> spring_trial = keep_if(touching, old.spring + stretch);
   const V cap = hn::Mul(k.mu, hn::Abs(fn));
   const V trial2 = dot(spring_trial, spring_trial);
   const V spring_force = hn::Mul(c.kt, hn::Sqrt(trial2));
@@ -256,6 +259,9 @@ HWY_INLINE ResponseV<V> respond(const StepConstants<Real>& step, const Coefficie
     r.spring = scale(spring_cut, spring_trial);
     r.tangential = scale(hn::Neg(c.kt), r.spring);
   }
+  // A spring that is cut starts anew.
+  r.rest =
+      keep_if(hn::And(touching, hn::Eq(spring_cut, one)), stretch - (spring_trial - old.spring));
   r.force = add_scaled(r.tangential, fn, n);
   r.moment = {zero, zero, zero};
   const Vec3V<V> spin = t.spin_i - t.spin_j;

@@ -55,6 +55,7 @@ void sphere_facet(const StepConstants<double>& step, const ParticleView<Real>& p
     HistoryV<V> old;
     old.spring = load3<V>(walls.spring, at);
     old.force = load3<V>(walls.force, at);
+    old.rest = {zero, zero, zero};
     old.moment = load3<V>(walls.moment, at);
     const auto touching = hn::Gt(t.overlap, zero);
     const auto wall_material =

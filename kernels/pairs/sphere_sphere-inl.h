@@ -220,8 +220,9 @@ HWY_INLINE void sphere_sphere(const StepConstants<Real>& step, const ParticleVie
   V h[Law::kRolling ? kRollingHistory : kHistory];
   load_history(old_history, at.old, open, h);
   at.old += hn::CountTrue(d, open);
-  HistoryV<V> old = {{h[0], h[1], h[2]}, {h[3], h[4], h[5]}, {zero, zero, zero}};
-  if constexpr (Law::kRolling) old.moment = {h[6], h[7], h[8]};
+  HistoryV<V> old = {
+      {h[0], h[1], h[2]}, {h[3], h[4], h[5]}, {h[6], h[7], h[8]}, {zero, zero, zero}};
+  if constexpr (Law::kRolling) old.moment = {h[9], h[10], h[11]};
   const auto row =
       hn::Add(hn::Mul(a.material, hn::Set(Row(), static_cast<hn::TFromD<Row>>(step.law.materials))),
               b.material);
@@ -234,7 +235,8 @@ HWY_INLINE void sphere_sphere(const StepConstants<Real>& step, const ParticleVie
   };
   keep(0, r.spring);
   keep(3, r.force);
-  if constexpr (Law::kRolling) keep(6, r.moment);
+  keep(6, r.rest);
+  if constexpr (Law::kRolling) keep(9, r.moment);
   store_history(h, found, new_history, at.now);
   if constexpr (Law::kRecorded) tell(r, pair_kinds<Real>(step.groups, a.group, b.group), *told);
   at.now += hn::CountTrue(d, found);

@@ -103,8 +103,9 @@ TEST(ExtremeMillsOf, SpheresTakeTheSamePowerAKilometreAway) {
 
 // At 600 rpm, 8 times the critical speed, the whole charge rides on the shell: it moves with the
 // wall, but for what rolls between lifters and swings as gravity turns around it (g / omega, 0.16
-// m/s; three of these), and the mill hardly works on it any more. At 60 rpm, 78 % of critical, it
-// is thrown. The account closes in both.
+// m/s; three of these), and the mill hardly works on it any more: over two whole turns, for within
+// one it gives and takes back. At 60 rpm, 78 % of critical, it is thrown. The account closes in
+// both.
 TEST(ExtremeMillsOf, SpheresCentrifugeAndThrow) {
   for (const double rpm : {60.0, 600.0}) {
     SCOPED_TRACE(rpm);
@@ -114,7 +115,7 @@ TEST(ExtremeMillsOf, SpheresCentrifugeAndThrow) {
     Stepper<float> stepper(world, 1);
     run_until(world, stepper, 0.6);
     const double spun_up = world.ledger.wall_work;
-    run_until(world, stepper, 0.75);
+    run_until(world, stepper, 0.8);
     const double omega = rpm * kPi / 30;
     double slip = 0, inmost = 1;
     for (Index id = 0; id < world.particles.size(); ++id) {
@@ -131,7 +132,7 @@ TEST(ExtremeMillsOf, SpheresCentrifugeAndThrow) {
     if (rpm > 100) {
       EXPECT_LT(slip, 3 * 9.81 / omega);
       EXPECT_GT(inmost, 0.15 - 0.01 - 2.5 * 0.018);
-      EXPECT_LT(std::abs(work), 0.02 * spun_up);
+      EXPECT_LT(std::abs(work), 0.01 * spun_up);
     } else {
       EXPECT_GT(slip, 0.5 * 0.15 * omega);
       EXPECT_LT(inmost, 0.1);

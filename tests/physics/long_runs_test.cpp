@@ -101,8 +101,7 @@ double farthest(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
 // Ten million steps of a bed at rest. In f64 nothing moves any more. In mixed forces are rounded to
 // 6e-8 of themselves, some 1e-8 N, anew in each step: a sphere swings with what a contact's damping
 // leaves of that. No trend: the second half is as cold as the first, and no sphere has gone
-// further than a ten-thousandth of the overlap that it rests on, some 1e-8 m. (In mixed it fails:
-// stretches of springs are f32, and what they lose to rounding adds up to 4.6e-12 m.)
+// further than a ten-thousandth of the overlap that it rests on, some 1e-8 m.
 TYPED_TEST(SlowLongRuns, ABedAtRestNeitherDriftsNorHeats) {
   const Scene scene = small_bed();
   World<TypeParam> world = world_of<TypeParam>(scene);

@@ -70,7 +70,7 @@ TEST(Single, MovesASliceAsMixed) {
           {"run.settle=none", "run.tile_size=64", "mill.length=0.32 m", "particles.ball.count=125",
            "particles.ore.sizes=[{ from = \"35 mm\", to = \"45 mm\", count = 1180 }, { "
            "from = \"45 mm\", to = \"75 mm\", count = 334 }]"}),
-      8000, kNear);
+      10000, kNear);
 }
 
 // Pulling contacts: what is found beyond the touch must not pull.

@@ -437,11 +437,12 @@ count = 300
 
 
 class Signals(Case):
-    def start(self, *more):
+    def start(self, *more, stdout=subprocess.PIPE):
         process = subprocess.Popen(
             [PROGRAM, "run", LAB_MILL, "--out", str(self.out), "--threads", "1", *LONGER, *more],
-            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-        self.addCleanup(process.stdout.close)
+            stdout=stdout, stderr=subprocess.STDOUT, text=True)
+        if process.stdout is not None:
+            self.addCleanup(process.stdout.close)
         self.addCleanup(process.kill)
         return process
 
@@ -460,11 +461,13 @@ class Signals(Case):
         straight, self.out = self.summary(), out
         return straight["state_hash"]
 
-    def interrupt(self, number, *more):
+    def interrupt(self, number, *more, times=1):
         self.begun = time.time()
         process = self.start(*more)
         self.wait_for_series()
-        process.send_signal(number)
+        for _ in range(times):
+            process.send_signal(number)
+            time.sleep(0.001)  # else the system makes one of them
         said, _ = process.communicate(timeout=60)
         return process.returncode, said
 
@@ -479,6 +482,31 @@ class Signals(Case):
         self.expect(0, quern("resume", self.out, "--threads", 2))
         self.assertTrue(self.summary()["finished"])
         self.assertEqual(self.summary()["state_hash"], self.straight_hash())
+
+    def test_told_twice_as_timeout_does_leave_a_checkpoint_too(self):
+        for number in (signal.SIGTERM, signal.SIGINT):
+            code, said = self.interrupt(number, times=3)
+            self.assertEqual(code, 0, said)
+            self.assertFalse(self.summary()["finished"], "the run ended before the signal")
+
+    def test_told_again_seconds_later_end_at_once(self):
+        said, say = os.pipe()
+        self.addCleanup(os.close, said)
+        self.begun = time.time()
+        process = self.start(stdout=say)
+        self.wait_for_series()
+        # Nobody reads what it says, and there is no room for more: it never gets to its end.
+        os.set_blocking(say, False)
+        with self.assertRaises(BlockingIOError):
+            while True:
+                os.write(say, bytes(1))
+        os.set_blocking(say, True)
+        os.close(say)
+        process.send_signal(signal.SIGTERM)
+        with self.assertRaises(subprocess.TimeoutExpired):
+            process.wait(timeout=3.2)
+        process.send_signal(signal.SIGTERM)
+        self.assertEqual(process.wait(timeout=60), -signal.SIGTERM)
 
     def test_a_killed_run_resumes_from_its_last_checkpoint(self):
         code, _ = self.interrupt(signal.SIGKILL, "--set", "output.checkpoint_every=0.1")

@@ -194,7 +194,7 @@ struct NearCases {
     }
     history_of[k][9] = static_cast<Real>(w.overlap_old);
     contact.push_back(twin::sphere_polyhedron(particles(), view(), k, law_here));
-    const twin::History old = {stored(0, k), stored(3, k), Vec3::Zero()};
+    const twin::History old = {stored(0, k), stored(3, k), Vec3::Zero(), Vec3::Zero()};
     const double history_eps = sizeof(Real) == 4 ? kEps<float> : 0;
     expected.push_back(twin::respond(law_here, contact[k], old,
                                      {step.dt, options.clamped, false, kEps<double>, history_eps}));

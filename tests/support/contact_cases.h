@@ -155,7 +155,7 @@ twin::History rounded(const twin::History& h) {
   const auto round = [](const Vec3& v) {
     return Vec3(v.template cast<Real>().template cast<double>());
   };
-  return {round(h.spring), round(h.force), round(h.moment)};
+  return {round(h.spring), round(h.force), round(h.rest), round(h.moment)};
 }
 
 // Gives a batch the histories of its slots: open are those that have one.
@@ -178,7 +178,7 @@ void set_histories(PairBatch<Real>& batch, const std::vector<twin::History>& of_
     for (std::size_t slot = first; slot < last; ++slot) {
       if (!batch.is_open(slot)) continue;
       const twin::History& h = of_slot[slot];
-      const Vec3* const vectors[3] = {&h.spring, &h.force, &h.moment};
+      const Vec3* const vectors[4] = {&h.spring, &h.force, &h.rest, &h.moment};
       for (std::size_t k = 0; k < batch.history(); ++k) {
         batch.number(tile, slot, k) =
             static_cast<Real>((*vectors[k / 3])[static_cast<Eigen::Index>(k % 3)]);
@@ -248,7 +248,7 @@ struct PairCases {
                   static_cast<double>(now.number(0, k, first + 1)),
                   static_cast<double>(now.number(0, k, first + 2)));
     };
-    return {at(0), at(3), batch.rolling ? at(6) : Vec3::Zero()};
+    return {at(0), at(3), at(6), batch.rolling ? at(9) : Vec3::Zero()};
   }
 
  private:
@@ -297,6 +297,7 @@ struct PairCases {
       const double b = static_cast<double>(record[2 * k + 1].radius);
       h = random_history(twin::at_overlap(at, overlap, a * b / (a + b)), normal_old, overlap,
                          o.rolling, random);
+      h.rest = random.in_cube(3e-8 * h.spring.norm());
     }
     set_history(k, h);
   }

@@ -41,6 +41,7 @@ void add_spheres(World<Real>& world, Numbers& number) {
     p.species[k] = 0;
     p.spin_x[k] = number();
     p.spin_y[k] = p.spin_z[k] = p.list_x[k] = p.list_y[k] = p.list_z[k] = 0;
+    p.rest_x[k] = p.rest_y[k] = p.rest_z[k] = 0;
     p.list_vx[k] = p.list_vy[k] = p.list_vz[k] = 0;
     p.pair_first[k] = p.pair_count[k] = 0;
   }

@@ -86,7 +86,7 @@ struct Contact {
 };
 
 struct History {
-  Vec3 spring = Vec3::Zero(), force = Vec3::Zero(), moment = Vec3::Zero();
+  Vec3 spring = Vec3::Zero(), force = Vec3::Zero(), rest = Vec3::Zero(), moment = Vec3::Zero();
 };
 
 struct Options {
@@ -177,7 +177,7 @@ inline void friction(const Coefficients& k, const Contact& c, const History& old
   const Vec3 carried = rotation_between(c.normal_old, n) * old.spring;
   const double theta = 0.5 * o.dt * (c.i.spin + c.j.spin).dot(n);
   spring_old = carried * (1 - 0.5 * theta * theta) + theta * n.cross(carried);
-  spring_trial = spring_old + o.dt * t.slip;
+  spring_trial = spring_old + old.rest + o.dt * t.slip;
   const Vec3 trial = -t.kt * spring_trial - t.ct * t.slip;
   const double cap = k.mu * std::abs(fn), size = trial.norm();
   r.slides = size > cap;
@@ -420,7 +420,8 @@ Moved move_sphere(const MoveView<Real>& m, std::size_t k, const double* sums, do
   const Vec3 kicked = v + m.kick * (force / mass + gravity);
   Moved out;
   out.velocity = m.drag * kicked;
-  out.place = x + dt * out.velocity;
+  const Vec3 rest = Eigen::Vector3f(m.rest[0][k], m.rest[1][k], m.rest[2][k]).cast<double>();
+  out.place = x + (rest + dt * out.velocity);
   const Vec3 spin_kicked = w + m.kick * torque / inertia;
   out.spin = m.drag * spin_kicked;
   out.translational = 0.5 * mass * v.dot(kicked);

@@ -88,6 +88,9 @@ TYPED_TEST(StateHash, ChangesWithAnyBitOfAParticle) {
     for (double* v : {&p.spin_x[k], &p.spin_y[k], &p.spin_z[k]}) {
       this->expect_every_bit_counts("spin", *v);
     }
+    for (float* v : {&p.rest_x[k], &p.rest_y[k], &p.rest_z[k]}) {
+      this->expect_every_bit_counts("rest of the place", *v);
+    }
     this->expect_every_bit_counts("radius", r.radius);
     this->expect_every_bit_counts("material and contacts", p.traits[k].tag);
   }
@@ -104,7 +107,7 @@ TYPED_TEST(StateHash, ChangesWithAnyBitOfAPairSpring) {
   ASSERT_EQ(open.size(), 3u);
   for (const auto& [tile, slot] : open) {
     for (std::size_t k = 0; k < pairs.history(); ++k) {
-      this->expect_every_bit_counts("spring, force or moment", pairs.number(tile, slot, k));
+      this->expect_every_bit_counts("spring, force, rest or moment", pairs.number(tile, slot, k));
     }
   }
 }

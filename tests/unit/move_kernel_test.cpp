@@ -31,7 +31,7 @@ struct Crowd {
   Column<Record<Real>> now, next;
   Column<Traits<Real>> traits, traits_next;
   Column<double> spin[3], place[3], rows;
-  Column<float> velocity[3], allowance;
+  Column<float> velocity[3], rest[3], allowance;
   Column<GridPlace> on_grid;
   std::size_t size;
 
@@ -47,6 +47,7 @@ struct Crowd {
       spin[a].reset(n);
       place[a].reset(n);
       velocity[a].reset(n);
+      rest[a].reset(n);
     }
     allowance.reset(n);
     on_grid.reset(n);
@@ -64,6 +65,7 @@ struct Crowd {
         spin[a][k] = w[a];
         place[a][k] = x[a] - 0.1 * v[a] + random(-1e-3, 1e-3);
         velocity[a][k] = static_cast<float>(v[a]);
+        rest[a][k] = static_cast<float>(random(-1e-6, 1e-6));  // far more than a rounding
       }
     }
     for (std::size_t k = 0; k < count; ++k) {
@@ -79,6 +81,7 @@ struct Crowd {
     m.traits_next = traits_next.data();
     for (int a = 0; a < 3; ++a) {
       m.spin[a] = spin[a].data();
+      m.rest[a] = rest[a].data();
       m.list_place[a] = place[a].data();
       m.list_velocity[a] = velocity[a].data();
       m.gravity[a] = a == 1 ? -9.81 : 0.3;
@@ -181,6 +184,41 @@ TYPED_TEST(MoveTwin, AgreesOnEveryTargetAndWritesItsOwnTileOnly) {
         SCOPED_TRACE(target + ", " + std::to_string(count) + " particles, seed " +
                      std::to_string(seed));
         check_move<TypeParam>(count, seed);
+      }
+    }
+  });
+}
+
+// Of a tenth of a last place of where they are a step: added to the place alone it would be lost.
+TYPED_TEST(MoveTwin, LosesNothingOfASlowMotion) {
+  test::for_each_target<TypeParam>([](const std::string& target) {
+    SCOPED_TRACE(target);
+    constexpr double kPlace = 3, dt = 1e-5, kWay = 4e-17;
+    constexpr std::size_t kCount = 3;
+    Crowd<TypeParam> crowd(kCount, 1);
+    crowd.rows.fill(0);
+    for (std::size_t at = 0; at < crowd.now.size(); ++at) {
+      crowd.now[at] = test::record_of<TypeParam>(Vec3::Constant(kPlace), Vec3::Constant(kWay / dt),
+                                                 Vec3::Zero(), 0.01);
+      for (auto& rest : crowd.rest) rest[at] = 0;
+    }
+    constexpr int kSteps = 1000;
+    for (int k = 0; k < kSteps; ++k) {
+      MoveView<TypeParam> view = crowd.view(dt);
+      view.drag = 1;
+      for (double& g : view.gravity) g = 0;
+      MoveTally tally;
+      choose_kernels<TypeParam>().move(
+          view, {crowd.rows.data(), static_cast<Index>(kFirst), static_cast<Index>(kCount)}, dt,
+          tally);
+      std::copy_n(crowd.next.data() + kFirst, kCount, crowd.now.data() + kFirst);
+    }
+    for (std::size_t at = kFirst; at < kFirst + kCount; ++at) {
+      const Record<TypeParam>& r = crowd.now[at];
+      const double place[3] = {r.x, r.y, r.z};
+      for (std::size_t a = 0; a < 3; ++a) {
+        const double way = place[a] - kPlace + static_cast<double>(crowd.rest[a][at]);
+        EXPECT_NEAR(way / (kSteps * kWay), 1, 1e-6);
       }
     }
   });

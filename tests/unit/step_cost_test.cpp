@@ -29,14 +29,14 @@ struct Pair {
 
 // Of one row: owners, begin and end, partners, open slots read and written, the first contact.
 constexpr double kLists = 16 * 4 + 2 * 4 + 16 * 4 + 2 * 2 + 4;
-constexpr double kHistory = 6 * 4;  // of a contact
+constexpr double kHistory = 9 * 4;  // of a contact
 
 TEST(StepCost, OfATouchingPairIsARowAndAHistoryReadAndWritten) {
   const Pair pair(1.99, 512);
   EXPECT_EQ(pair.pairs(), 1);
   EXPECT_EQ(pair.cost.slots, 16);
   EXPECT_EQ(pair.bytes(Stage::kSpherePairs), kLists + 2 * kHistory);
-  EXPECT_EQ(pair.bytes(Stage::kMotion), 2 * (2 * (64 + 8 + 24) + 24 + 12 + 4));
+  EXPECT_EQ(pair.bytes(Stage::kMotion), 2 * (2 * (64 + 8 + 24 + 12) + 24 + 12 + 4));
   EXPECT_EQ(pair.bytes(Stage::kSphereWalls), 0);
   EXPECT_EQ(pair.cost.operations.real,
             kOfIdleSlot.real + kOfTouchingSlot.real + kOfDamping.real);
@@ -65,7 +65,7 @@ TEST(StepCost, OfRollingFrictionIsAWiderHistoryAndMoreArithmetic) {
   law.rolling = 0.1;
   law.tangential_damping = false;
   const Pair pair(1.99, 512, law);
-  EXPECT_EQ(pair.bytes(Stage::kSpherePairs), kLists + 2 * 1.5 * kHistory);
+  EXPECT_EQ(pair.bytes(Stage::kSpherePairs), kLists + 2 * (kHistory + 3 * 4));
   EXPECT_EQ(pair.cost.operations.real,
             kOfIdleSlot.real + kOfTouchingSlot.real + kOfRolling.real);
 }
