@@ -14,7 +14,6 @@
 namespace quern {
 namespace {
 
-constexpr std::uint64_t kFormat = 4;
 constexpr const char* kWhat = "checkpoint";
 const std::string kState = "state";  // NOLINT(cert-err58-cpp): a short string cannot throw
 const std::string kSceneText = "header/scene_text";
@@ -135,7 +134,7 @@ class Reader final : public StateVisitor {
 };
 
 void write_header(Hdf5File& file, const CheckpointHeader& header) {
-  file.set_attribute("/", "format", kFormat);
+  file.set_attribute("/", "format", kCheckpointFormat);
   file.set_attribute("/", "scene_name", header.scene_name);
   file.set_attribute("/", "simd_target", header.simd_target);
   file.set_attribute("/", "precision", header.precision);
@@ -154,9 +153,9 @@ Hdf5File open_sealed(const std::string& path) {
 
 CheckpointHeader read_header(const Hdf5File& file) {
   const std::uint64_t format = file.u64_attribute("/", "format");
-  if (format != kFormat) {
-    file.fail("read header",
-              fmt::format("it has format {}, this program reads format {}", format, kFormat));
+  if (format != kCheckpointFormat) {
+    file.fail("read header", fmt::format("it has format {}, this program reads format {}", format,
+                                         kCheckpointFormat));
   }
   CheckpointHeader header;
   header.scene_name = file.text_attribute("/", "scene_name");

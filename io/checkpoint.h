@@ -14,6 +14,9 @@
 
 namespace quern {
 
+// Others are refused. One more whenever the state that World::visit() names changes.
+inline constexpr std::uint64_t kCheckpointFormat = 4;
+
 struct CheckpointHeader {
   std::string scene_text, scene_name, simd_target, precision, version;
   double time = 0;  // s

@@ -119,8 +119,7 @@ std::string provenance_json(const Hdf5File& file) {
   return object(entries);
 }
 
-RunTables read_tables(const std::string& path) {
-  const Hdf5File file("results", path, FileMode::kRead);
+RunTables read_tables(const Hdf5File& file) {
   RunTables tables;
   std::vector<std::pair<std::string, std::string>> arrays, texts;
   const std::vector<std::string> names = file.datasets("/");
@@ -148,32 +147,40 @@ RunTables read_tables(const std::string& path) {
 
 }  // namespace
 
-RunTables read_run_tables(const std::string& folder) {
+std::string read_results(const std::string& folder,
+                         const std::function<void(const Hdf5File& results)>& read) {
   const std::string path = (fs::path(folder) / "run.h5").string();
   const std::string kept = (fs::path(folder) / "run.previous.h5").string();
-  if (!fs::is_directory(folder)) {
-    throw SystemError(fmt::format("cannot read results '{}': there is no such folder", folder));
-  }
-  if (!fs::exists(path)) {
-    throw SystemError(fmt::format(
-        "cannot read results '{}': it holds no run.h5, so it is not the folder of a run", folder));
-  }
   constexpr int kTries = 5;
   for (int k = 1;; ++k) {
     try {
-      return read_tables(path);
+      read(Hdf5File("results", path, FileMode::kRead));
+      return {};
     } catch (const SystemError& error) {
       if (k < kTries) {
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
         continue;
       }
       if (!fs::exists(kept)) throw;
-      RunTables tables = read_tables(kept);
-      tables.notes.push_back(fmt::format(
-          "Series and tables are as of the last checkpoint (run.previous.h5): {}", error.what()));
-      return tables;
+      read(Hdf5File("results", kept, FileMode::kRead));
+      return fmt::format("as of the last checkpoint (run.previous.h5): {}", error.what());
     }
   }
+}
+
+RunTables read_run_tables(const std::string& folder) {
+  if (!fs::is_directory(folder)) {
+    throw SystemError(fmt::format("cannot read results '{}': there is no such folder", folder));
+  }
+  if (!fs::exists(fs::path(folder) / "run.h5")) {
+    throw SystemError(fmt::format(
+        "cannot read results '{}': it holds no run.h5, so it is not the folder of a run", folder));
+  }
+  RunTables tables;
+  const std::string as_of =
+      read_results(folder, [&](const Hdf5File& file) { tables = read_tables(file); });
+  if (!as_of.empty()) tables.notes.push_back("Series and tables are " + as_of);
+  return tables;
 }
 
 }  // namespace quern

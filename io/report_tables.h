@@ -5,8 +5,11 @@
 // array says itself (`every`).
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
+
+#include "io/hdf5_file.h"
 
 namespace quern {
 
@@ -19,8 +22,12 @@ struct RunTables {
   std::vector<std::string> notes;
 };
 
-// Of the file as of its last flush. A run may be writing it: what is caught in the middle of a
-// change is read again a few times, then from the copy of the last checkpoint (run.previous.h5).
+// Reads a run's run.h5 as of its last flush. A run may be writing it, and a kill may have torn it:
+// what cannot be read is tried again a few times, then `read` gets the copy of the last checkpoint
+// (run.previous.h5). Empty, or what to say of that. SystemError if neither can be read.
+std::string read_results(const std::string& folder,
+                         const std::function<void(const Hdf5File& results)>& read);
+
 // SystemError if there is no run.h5, or it stays unreadable.
 RunTables read_run_tables(const std::string& folder);
 

@@ -5,8 +5,8 @@
 #include <array>
 #include <filesystem>
 
-#include "io/hdf5_file.h"
 #include "io/packed.h"
+#include "io/report_tables.h"
 #include "soa/motion.h"
 
 namespace quern {
@@ -107,6 +107,24 @@ std::string wear_json(const Hdf5File& results, const std::string& wall, std::siz
   return fmt::format("{{\"blob\":{},\"cells\":{},\"fields\":[{}]}}", blob, corner.rows, fields);
 }
 
+WallsOfView worn_walls(const WallQuery& query, const std::vector<NamedMotion>& walls,
+                       const Surface& surface, const Hdf5File& results) {
+  WallsOfView out;
+  std::string json;
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    const auto& [name, motion] = walls[k];
+    const std::vector<float> corners = corners_of(surface, k, pose_at(motion, query.frame.time));
+    const std::size_t blob = query.first_blob + out.packed.size();
+    out.packed.push_back(pack_floats(corners));
+    const std::string wear = wear_json(results, name, query.first_blob + out.packed.size(), out);
+    json += fmt::format("{}{{\"name\":{},\"blob\":{},\"triangles\":{},\"wear\":{},\"poses\":{}}}",
+                        json.empty() ? "" : ",", json_string(name), blob, corners.size() / 9, wear,
+                        poses_json(motion, query.times));
+  }
+  out.json = "[" + json + "]";
+  return out;
+}
+
 }  // namespace
 
 std::vector<NamedMotion> walls_of(const Scene& scene) {
@@ -134,20 +152,10 @@ WallsOfView read_walls(const WallQuery& query, const Scene& scene) {
         fmt::format("The walls' {} triangles are too many to be drawn here", surface.wall.size()));
     return out;
   }
-  const Hdf5File results("results", query.folder + "/run.h5", FileMode::kRead);
-  const std::vector<NamedMotion> walls = walls_of(scene);
-  std::string json;
-  for (std::size_t k = 0; k < walls.size(); ++k) {
-    const auto& [name, motion] = walls[k];
-    const std::vector<float> corners = corners_of(surface, k, pose_at(motion, query.frame.time));
-    const std::size_t blob = query.first_blob + out.packed.size();
-    out.packed.push_back(pack_floats(corners));
-    const std::string wear = wear_json(results, name, query.first_blob + out.packed.size(), out);
-    json += fmt::format("{}{{\"name\":{},\"blob\":{},\"triangles\":{},\"wear\":{},\"poses\":{}}}",
-                        json.empty() ? "" : ",", json_string(name), blob, corners.size() / 9, wear,
-                        poses_json(motion, query.times));
-  }
-  out.json = "[" + json + "]";
+  const std::string as_of = read_results(query.folder, [&](const Hdf5File& results) {
+    out = worn_walls(query, walls_of(scene), surface, results);
+  });
+  if (!as_of.empty()) out.notes.push_back("Wear is " + as_of);
   return out;
 }
 

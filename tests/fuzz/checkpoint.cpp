@@ -61,7 +61,7 @@ class Recipe {
 void cook(Recipe& recipe, const std::string& path) {
   Hdf5File file("checkpoint", path, FileMode::kCreate);
   const std::uint8_t header = recipe.byte();
-  file.set_attribute("/", "format", std::uint64_t{header % 8u == 7 ? 99u : 3u});
+  file.set_attribute("/", "format", header % 8u == 7 ? 99 : kCheckpointFormat);
   if (header & 8) file.set_attribute("/", "time", 0.5);
   if (header & 16) file.set_attribute("/", "step", std::uint64_t{recipe.byte()});
   for (const char* name : {"scene_name", "simd_target", "precision", "version"}) {

@@ -167,6 +167,8 @@ class Report(unittest.TestCase):
                                 "--set", "run.settle=none", "--set", "run.record_from=0",
                                 "--set", "output.series_every=0.0002",
                                 "--set", "record.snapshots_every=0.001",
+                                "--set", "output.frames_every=0.002",
+                                "--set", "wear.flow_pressure=5e9", "--set", "wear.cell_size=0.05",
                                 "--set", "output.checkpoint_every=0.2"],
                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         try:
@@ -189,6 +191,14 @@ class Report(unittest.TestCase):
                    for kind in ("ore-ore", "ore-media", "ore-liner", "media-media", "media-liner")]
         spectra += told["arrays"]["spectra/open_energy"]["data"]
         self.assertAlmostEqual(sum(spectra) / summary["recorded_dissipation_J"], 1, delta=1e-6)
+        # Torn by the kill: tables and wear are those of the copy.
+        (out / "run.h5").write_bytes((out / "run.h5").read_bytes()[:3000])
+        quern("report", out)
+        torn = Page(out / "report.html").data["runs"][0]
+        self.assertEqual(torn["arrays"]["power_by_kind/total"], told["arrays"]["power_by_kind/total"])
+        self.assertIsNotNone(torn["view"]["walls"][0]["wear"])
+        notes = " ".join(torn["notes"])
+        self.assertEqual(notes.count("run.previous.h5"), 2, notes)
 
     def test_compare_carries_all_runs(self):
         out = WORK / "compare.html"
