@@ -1,9 +1,13 @@
 #include "io/report_tables.h"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -12,6 +16,7 @@
 
 #include "io/hdf5_file.h"
 #include "io/packed.h"
+#include "io/summary.h"
 
 namespace quern {
 
@@ -119,6 +124,32 @@ std::string provenance_json(const Hdf5File& file) {
   return object(entries);
 }
 
+bool is_finished(const std::string& folder) {
+  const std::string summary = (fs::path(folder) / "summary.json").string();
+  return fs::exists(summary) && SummaryFile(summary).flag("finished");
+}
+
+// HDF5 crashes on some files that a kill has torn: a child meets that first.
+void try_to_read(const std::string& path, const ReadResults& read) {
+  const pid_t child = fork();
+  if (child == 0) {
+    constexpr rlimit kNoCore = {0, 0};
+    setrlimit(RLIMIT_CORE, &kNoCore);
+    try {
+      read(Hdf5File("results", path, FileMode::kRead));
+    } catch (const std::exception&) {  // which is for the parent to find
+    }
+    _exit(0);
+  }
+  int status = 0;
+  while (child > 0 && waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (status != 0) {
+    throw SystemError(
+        fmt::format("cannot read results '{}': it is damaged, reading it crashes", path));
+  }
+}
+
 RunTables read_tables(const Hdf5File& file) {
   RunTables tables;
   std::vector<std::pair<std::string, std::string>> arrays, texts;
@@ -147,13 +178,14 @@ RunTables read_tables(const Hdf5File& file) {
 
 }  // namespace
 
-std::string read_results(const std::string& folder,
-                         const std::function<void(const Hdf5File& results)>& read) {
+std::string read_results(const std::string& folder, const ReadResults& read) {
   const std::string path = (fs::path(folder) / "run.h5").string();
   const std::string kept = (fs::path(folder) / "run.previous.h5").string();
+  const bool was_closed = is_finished(folder);
   constexpr int kTries = 5;
   for (int k = 1;; ++k) {
     try {
+      if (!was_closed) try_to_read(path, read);
       read(Hdf5File("results", path, FileMode::kRead));
       return {};
     } catch (const SystemError& error) {

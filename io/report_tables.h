@@ -25,8 +25,9 @@ struct RunTables {
 // Reads a run's run.h5 as of its last flush. A run may be writing it, and a kill may have torn it:
 // what cannot be read is tried again a few times, then `read` gets the copy of the last checkpoint
 // (run.previous.h5). Empty, or what to say of that. SystemError if neither can be read.
-std::string read_results(const std::string& folder,
-                         const std::function<void(const Hdf5File& results)>& read);
+// `read` may be called several times; what a call before has set must not show.
+using ReadResults = std::function<void(const Hdf5File& results)>;
+std::string read_results(const std::string& folder, const ReadResults& read);
 
 // SystemError if there is no run.h5, or it stays unreadable.
 RunTables read_run_tables(const std::string& folder);

@@ -369,7 +369,7 @@ RunView read_run_view(const std::string& folder, const Scene& scene, const ViewB
     time.push_back(m.time);
   }
   const WallsOfView walls =
-      read_walls({folder, frames, listed.back(), time, first_blob + view.packed.size()}, scene);
+      read_walls({folder, frames, time, first_blob + view.packed.size()}, scene);
   for (const std::string& blob : walls.packed) view.packed.push_back(blob);
   for (const std::string& note : walls.notes) view.notes.push_back(note);
   const std::string note = sampled_note(last, choice, listed.size());

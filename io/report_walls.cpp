@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <filesystem>
 
+#include "io/frames.h"
 #include "io/packed.h"
 #include "io/report_tables.h"
 #include "soa/motion.h"
@@ -12,8 +12,6 @@
 namespace quern {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::size_t kMostTriangles = 200000;  // of all walls, and cells of one
 
@@ -108,12 +106,12 @@ std::string wear_json(const Hdf5File& results, const std::string& wall, std::siz
 }
 
 WallsOfView worn_walls(const WallQuery& query, const std::vector<NamedMotion>& walls,
-                       const Surface& surface, const Hdf5File& results) {
+                       const Surface& surface, double time, const Hdf5File& results) {
   WallsOfView out;
   std::string json;
   for (std::size_t k = 0; k < walls.size(); ++k) {
     const auto& [name, motion] = walls[k];
-    const std::vector<float> corners = corners_of(surface, k, pose_at(motion, query.frame.time));
+    const std::vector<float> corners = corners_of(surface, k, pose_at(motion, time));
     const std::size_t blob = query.first_blob + out.packed.size();
     out.packed.push_back(pack_floats(corners));
     const std::string wear = wear_json(results, name, query.first_blob + out.packed.size(), out);
@@ -144,16 +142,16 @@ std::vector<NamedMotion> walls_of(const Scene& scene) {
 
 WallsOfView read_walls(const WallQuery& query, const Scene& scene) {
   WallsOfView out;
-  const std::string path = frame_path(query.frames, "liner", query.frame.number);
-  if (!fs::exists(path)) return out;
-  const Surface surface = read_surface(path);
+  const std::vector<FrameEntry> listed = read_frame_list(query.frames, "liner");
+  if (listed.empty()) return out;
+  const Surface surface = read_surface(frame_path(query.frames, "liner", listed.back().number));
   if (surface.wall.size() > kMostTriangles) {
     out.notes.push_back(
         fmt::format("The walls' {} triangles are too many to be drawn here", surface.wall.size()));
     return out;
   }
   const std::string as_of = read_results(query.folder, [&](const Hdf5File& results) {
-    out = worn_walls(query, walls_of(scene), surface, results);
+    out = worn_walls(query, walls_of(scene), surface, listed.back().time, results);
   });
   if (!as_of.empty()) out.notes.push_back("Wear is " + as_of);
   return out;

@@ -8,14 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "io/frames.h"
 #include "soa/scene.h"
 
 namespace quern {
 
 struct WallQuery {
   std::string folder, frames;  // of the run, of its frames
-  FrameEntry frame;            // whose surface is read
   std::vector<double> times;   // s, of the frames shown
   std::size_t first_blob = 0;  // number of the first packed array
 };

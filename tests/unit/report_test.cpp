@@ -4,6 +4,7 @@
 #include <zlib.h>
 
 #include <cmath>
+#include <csignal>
 #include <filesystem>
 #include <set>
 
@@ -210,6 +211,21 @@ TEST(Report, OfADamagedFileIsAsOfTheLastCheckpoint) {
   EXPECT_NE(tables.arrays.find("\"data\":[0,2,4]"), std::string::npos) << tables.arrays;
   ASSERT_EQ(tables.notes.size(), 1u);
   EXPECT_NE(tables.notes[0].find("run.previous.h5"), std::string::npos);
+}
+
+// HDF5 does so on some files that a kill has torn.
+TEST(Report, OfAFileThatCrashesItsReaderIsAsOfTheLastCheckpoint) {
+  const TempFolder folder;
+  write_results(folder, 3);
+  write_results(folder, 2, "run.previous.h5");
+  std::vector<std::size_t> rows;
+  const std::string as_of = read_results(folder.path(), [&](const Hdf5File& file) {
+    rows.push_back(file.layout("series/time").rows);
+    if (rows.back() == 3) raise(SIGSEGV);
+  });
+  EXPECT_EQ(rows, std::vector<std::size_t>{2});
+  EXPECT_NE(as_of.find("crashes"), std::string::npos) << as_of;
+  EXPECT_NE(as_of.find("run.previous.h5"), std::string::npos) << as_of;
 }
 
 TEST(Report, ReadsSeriesThatAreBeingWritten) {
