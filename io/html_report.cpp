@@ -126,14 +126,14 @@ struct Page {
 enum class RunParts { kAll, kPicture };
 
 void add_run(const ReportRun& run, const ViewBudget& budget, RunParts parts, Page& page) {
-  RunTables tables = read_run_tables(run.folder);
+  RunTables tables = read_run_tables(run.folder, run.closed);
   if (parts == RunParts::kPicture) tables.arrays = tables.texts = "{}";
   const SceneResult scene =
       parse_scene(tables.scene, "scene", run.folder, {}, StartFile::kReadBefore);
   RunView view;
   view.json = "null";
   if (scene.errors.empty()) {
-    view = read_run_view(run.folder, scene.scene, budget, page.blobs.size());
+    view = read_run_view(run.folder, scene.scene, budget, page.blobs.size(), run.closed);
     if (page.title.empty()) page.title = scene.scene.run.title;
   } else {
     tables.notes.push_back(

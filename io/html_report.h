@@ -15,7 +15,8 @@ namespace quern {
 
 struct ReportRun {
   std::string folder;
-  std::string name;  // how the page calls it; empty: the folder's own name
+  std::string name;     // how the page calls it; empty: the folder's own name
+  bool closed = false;  // its run.h5, by who wrote it
 };
 
 // A page of another kind, of the same program and style: `kind` names the value `data` (JSON) in

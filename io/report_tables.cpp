@@ -125,8 +125,11 @@ std::string provenance_json(const Hdf5File& file) {
 }
 
 bool is_finished(const std::string& folder) {
-  const std::string summary = (fs::path(folder) / "summary.json").string();
-  return fs::exists(summary) && SummaryFile(summary).flag("finished");
+  try {
+    return SummaryFile((fs::path(folder) / "summary.json").string()).flag("finished");
+  } catch (const SystemError&) {  // none yet, or no summary of ours
+    return false;
+  }
 }
 
 // HDF5 crashes on some files that a kill has torn: a child meets that first.
@@ -178,14 +181,14 @@ RunTables read_tables(const Hdf5File& file) {
 
 }  // namespace
 
-std::string read_results(const std::string& folder, const ReadResults& read) {
+std::string read_results(const std::string& folder, const ReadResults& read, bool closed) {
   const std::string path = (fs::path(folder) / "run.h5").string();
   const std::string kept = (fs::path(folder) / "run.previous.h5").string();
-  const bool was_closed = is_finished(folder);
+  closed = closed || is_finished(folder);
   constexpr int kTries = 5;
   for (int k = 1;; ++k) {
     try {
-      if (!was_closed) try_to_read(path, read);
+      if (!closed) try_to_read(path, read);
       read(Hdf5File("results", path, FileMode::kRead));
       return {};
     } catch (const SystemError& error) {
@@ -200,7 +203,7 @@ std::string read_results(const std::string& folder, const ReadResults& read) {
   }
 }
 
-RunTables read_run_tables(const std::string& folder) {
+RunTables read_run_tables(const std::string& folder, bool closed) {
   if (!fs::is_directory(folder)) {
     throw SystemError(fmt::format("cannot read results '{}': there is no such folder", folder));
   }
@@ -209,8 +212,8 @@ RunTables read_run_tables(const std::string& folder) {
         "cannot read results '{}': it holds no run.h5, so it is not the folder of a run", folder));
   }
   RunTables tables;
-  const std::string as_of =
-      read_results(folder, [&](const Hdf5File& file) { tables = read_tables(file); });
+  const std::string as_of = read_results(
+      folder, [&](const Hdf5File& file) { tables = read_tables(file); }, closed);
   if (!as_of.empty()) tables.notes.push_back("Series and tables are " + as_of);
   return tables;
 }

@@ -345,7 +345,7 @@ std::vector<std::size_t> choose_evenly(std::size_t count, std::size_t places) {
 }
 
 RunView read_run_view(const std::string& folder, const Scene& scene, const ViewBudget& budget,
-                      std::size_t first_blob) {
+                      std::size_t first_blob, bool closed) {
   RunView view;
   view.json = "null";
   const std::string frames = (fs::path(folder) / "frames").string();
@@ -369,7 +369,7 @@ RunView read_run_view(const std::string& folder, const Scene& scene, const ViewB
     time.push_back(m.time);
   }
   const WallsOfView walls =
-      read_walls({folder, frames, time, first_blob + view.packed.size()}, scene);
+      read_walls({folder, frames, time, first_blob + view.packed.size(), closed}, scene);
   for (const std::string& blob : walls.packed) view.packed.push_back(blob);
   for (const std::string& note : walls.notes) view.notes.push_back(note);
   const std::string note = sampled_note(last, choice, listed.size());

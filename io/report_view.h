@@ -37,7 +37,7 @@ struct RunView {
 // `scene` tells how walls move and what they are called; `first_blob`: number of the first of
 // `packed` on the page.
 RunView read_run_view(const std::string& folder, const Scene& scene, const ViewBudget& budget,
-                      std::size_t first_blob);
+                      std::size_t first_blob, bool closed = false);
 
 // Which of `radii` (in order of identity) are shown when there is room for `places` < size: the
 // largest, and of the rest those whose identity hashes lowest. Sorted rows.

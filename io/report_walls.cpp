@@ -150,9 +150,10 @@ WallsOfView read_walls(const WallQuery& query, const Scene& scene) {
         fmt::format("The walls' {} triangles are too many to be drawn here", surface.wall.size()));
     return out;
   }
-  const std::string as_of = read_results(query.folder, [&](const Hdf5File& results) {
+  const auto read = [&](const Hdf5File& results) {
     out = worn_walls(query, walls_of(scene), surface, listed.back().time, results);
-  });
+  };
+  const std::string as_of = read_results(query.folder, read, query.closed);
   if (!as_of.empty()) out.notes.push_back("Wear is " + as_of);
   return out;
 }

@@ -16,6 +16,7 @@ struct WallQuery {
   std::string folder, frames;  // of the run, of its frames
   std::vector<double> times;   // s, of the frames shown
   std::size_t first_blob = 0;  // number of the first packed array
+  bool closed = false;         // run.h5, by who wrote it
 };
 
 struct WallsOfView {

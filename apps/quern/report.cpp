@@ -45,7 +45,7 @@ int compare_command(const ReportCommand& command) {
 void write_report_of_run(const std::string& folder) {
   try {
     const std::string path = page_of(folder);
-    write_html_report(path, {{folder, ""}}, {});
+    write_html_report(path, {{folder, "", true}}, {});
     print_page(path);
   } catch (const std::exception& error) {
     log_warn(fmt::format("no report page: {}", error.what()));
