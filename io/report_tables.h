@@ -22,12 +22,13 @@ struct RunTables {
   std::vector<std::string> notes;
 };
 
+using ReadResults = std::function<void(const Hdf5File& results)>;
+
 // Reads a run's run.h5 as of its last flush. A run may be writing it, and a kill may have torn it:
 // what cannot be read is tried again a few times, then `read` gets the copy of the last checkpoint
 // (run.previous.h5). Empty, or what to say of that. SystemError if neither can be read.
 // `read` may be called several times; what a call before has set must not show. `closed`: by who
 // wrote it, so that it is not torn.
-using ReadResults = std::function<void(const Hdf5File& results)>;
 std::string read_results(const std::string& folder, const ReadResults& read, bool closed);
 
 // SystemError if there is no run.h5, or it stays unreadable.

@@ -35,8 +35,8 @@ volatile std::sig_atomic_t g_signal = 0;
 std::atomic<std::time_t> g_signal_times[NSIG];  // s, of the first of each
 static_assert(std::atomic<std::time_t>::is_always_lock_free);
 
-// A second one ends at once. Within two seconds it is the same one told again: `timeout` signals
-// its command and then the group that this is in, batch systems do likewise.
+// A second one ends at once, from two seconds on. Within one it is the same told again: `timeout`
+// signals its command and then the group that this is in. (Whole seconds are compared.)
 void on_signal(int signal) {
   g_signal = signal;
   timespec now{};
