@@ -7,6 +7,7 @@
 import uPlot from "uplot";
 import { download, el } from "./dom.js";
 import { axisPrefix, labelled, number, powerOfTen, tickTexts } from "./format.js";
+import { placeLabels } from "./labels.js";
 import { colour, css, isPrinting, onTheme } from "./theme.js";
 
 export const plots = []; // for tests: what is on the page
@@ -204,18 +205,33 @@ function drawMarks(marks) {
 function drawLabels(spec) {
   return (u) => {
     const { ctx, bbox } = u;
+    const px = devicePixelRatio;
     ctx.save();
-    ctx.font = `${11 * devicePixelRatio}px system-ui, sans-serif`;
-    spec.series.forEach((line, k) => {
-      ctx.fillStyle = colour(line.colour ?? k);
-      line.labels?.forEach((label, i) => {
-        if (usable(line.x[i], spec.x.log) === null || usable(line.y[i], spec.y.log) === null) return;
-        const x = u.valToPos(line.x[i], "x", true),
-          y = u.valToPos(line.y[i], "y", true);
-        const left = x > bbox.left + 0.85 * bbox.width;
-        ctx.textAlign = left ? "right" : "left";
-        ctx.fillText(label, x + (left ? -7 : 7) * devicePixelRatio, y - 5 * devicePixelRatio);
-      });
+    ctx.font = `${11 * px}px system-ui, sans-serif`;
+    ctx.textAlign = "left";
+    ctx.lineWidth = px / 2;
+    const points = spec.series.flatMap((line, k) =>
+      (line.labels ?? []).flatMap((text, i) => {
+        if (usable(line.x[i], spec.x.log) === null || usable(line.y[i], spec.y.log) === null) return [];
+        const at = { x: u.valToPos(line.x[i], "x", true) / px, y: u.valToPos(line.y[i], "y", true) / px };
+        return [{ ...at, text, width: ctx.measureText(text).width / px, ink: colour(line.colour ?? k) }];
+      }),
+    );
+    const frame = {
+      left: bbox.left / px,
+      right: (bbox.left + bbox.width) / px,
+      top: bbox.top / px,
+      bottom: (bbox.top + bbox.height) / px,
+    };
+    placeLabels(points, frame).forEach((place, k) => {
+      const { x, y, text, ink } = points[k];
+      ctx.fillStyle = ctx.strokeStyle = ink;
+      ctx.fillText(text, place.left * px, place.base * px);
+      if (!place.off) return;
+      ctx.beginPath();
+      ctx.moveTo(x * px, y * px);
+      ctx.lineTo((place.left > x ? place.left - 2 : place.right + 2) * px, (place.base - 4) * px);
+      ctx.stroke();
     });
     ctx.restore();
   };
