@@ -65,7 +65,8 @@ HWY_INLINE Vec3 support_point(const Shape& shape, const Vec3& u) {
   HWY_ALIGN double at[hn::MaxLanes(D64())];
   hn::Store(where, d, at);
   const std::uint64_t top = bits_of(d, hn::Eq(best, hn::MaxOfLanes(d, best)));
-  const std::size_t lane = static_cast<std::size_t>(__builtin_ctzll(top | (1ull << 63)));
+  // Along no direction (NaN) none is farthest: the last lane.
+  const auto lane = static_cast<std::size_t>(__builtin_ctzll(top | (1ull << (lanes - 1))));
   return shape.vertex(static_cast<std::size_t>(at[lane]) + lane);
 }
 
