@@ -1,7 +1,6 @@
 // Places for texts beside points, none over another or over a point where there is room.
 
 const GAP = 7; // px, from a point to its text
-const ASIDE = 26; // px, to a text that stands off
 const RISE = 5; // px, from a text's base line to its point
 const LINE = 13; // px, a line of text
 const MOST_LINES = 12;
@@ -11,11 +10,9 @@ const meet = (a, b) => a.left < b.right && b.left < a.right && a.top < b.bottom 
 // The nearest first: beside the point, above or below, right or left of it; then line by line further.
 function* candidates(point, width) {
   for (let line = 0; line <= MOST_LINES; ++line) {
-    for (const gap of line < 2 ? [GAP] : [GAP, ASIDE]) {
-      for (const base of [point.y - RISE - line * LINE, point.y + RISE + (line + 0.7) * LINE]) {
-        for (const left of [point.x + gap, point.x - gap - width]) {
-          yield { left, right: left + width, top: base - 0.8 * LINE, bottom: base + 0.2 * LINE, base, off: line > 0 };
-        }
+    for (const base of [point.y - RISE - line * LINE, point.y + RISE + (line + 0.7) * LINE]) {
+      for (const left of [point.x + GAP, point.x - GAP - width]) {
+        yield { left, right: left + width, top: base - 0.8 * LINE, bottom: base + 0.2 * LINE, base, off: line > 0 };
       }
     }
   }
