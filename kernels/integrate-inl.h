@@ -225,8 +225,12 @@ void move_spheres(const MoveView<Real>& m, const TileRows& tile, double dt, Move
     };
     // A line or an allowance that is not finite would never let the lists go stale.
     const auto listed = hn::Lt(hn::Add(off2, allowed2), hn::Set(d, kNeverSoFar));
-    const auto good = hn::And(listed, hn::And(inside(place.x, 0),
-                                              hn::And(inside(place.y, 1), inside(place.z, 2))));
+    // The spins that partners read are written anew: only a contact would show a wrong one elsewhere.
+    const auto spins = hn::IsFinite(
+        hn::Add(hn::Add(to_f64(p.spin.x), to_f64(p.spin.y)), to_f64(p.spin.z)));
+    const auto good = hn::And(hn::And(listed, spins),
+                              hn::And(inside(place.x, 0),
+                                      hn::And(inside(place.y, 1), inside(place.z, 2))));
     sum.bad = hn::Add(sum.bad, count_if(hn::IfThenZeroElse(good, hn::Set(d, 1))));
     const auto fast = hn::Gt(hn::Mul(hn::Mul(dtv, dtv), dot(velocity, velocity)), r2);
     sum.fast = hn::Add(sum.fast, count_if(hn::IfThenElseZero(fast, hn::Set(d, 1))));

@@ -36,7 +36,7 @@ inline constexpr Operations kOfIdleSlot = {2, 14}, kOfSlotOnGrid = {17, 0},
 inline constexpr Operations kOfDamping = {27, 0},
                             kOfRolling = {57, 0},  // besides, of a touching slot
     kOfHertzMindlin = {60, 0};
-inline constexpr Operations kOfMotion = {0, 117};  // of a sphere
+inline constexpr Operations kOfMotion = {0, 119};  // of a sphere
 
 struct StepCost {
   std::array<double, kStageNames.size()> listed{};  // pairs a step looks at; walls: facets

@@ -167,10 +167,13 @@ TYPED_TEST_SUITE(NotFinite, Precisions, Names);
 
 constexpr Index kSphere = 13, kBody = 5;
 
-TYPED_TEST(NotFinite, OfASphereNamesIt) {
-  using W = World<TypeParam>;
-  using Number = std::pair<const char*, std::function<void(W&, std::size_t, double)>>;
-  std::vector<Number> numbers;
+// A number of a particle by name, and how to put `x` there in row `k`.
+template <class Real>
+using Number = std::pair<const char*, std::function<void(World<Real>&, std::size_t k, double x)>>;
+template <class Real>
+std::vector<Number<Real>> numbers_of_a_sphere() {
+  using W = World<Real>;
+  std::vector<Number<Real>> numbers;
 #define QUERN_NUMBER(what)                                                            \
   numbers.push_back({#what, [](W& w, std::size_t k, double x) {                       \
                        w.particles.what = static_cast<decltype(w.particles.what)>(x); \
@@ -194,11 +197,16 @@ TYPED_TEST(NotFinite, OfASphereNamesIt) {
                        }});
   };
 #define QUERN_COLUMN(type, name, unit, doc) \
-  if constexpr (std::is_floating_point_v<type>) every(#name, &Particles<TypeParam>::name);
-  using Real [[maybe_unused]] = TypeParam;
+  if constexpr (std::is_floating_point_v<type>) every(#name, &Particles<Real>::name);
   QUERN_PARTICLE_FIELDS(QUERN_COLUMN)
 #undef QUERN_COLUMN
   EXPECT_EQ(numbers.size(), 11u + 13u);
+  return numbers;
+}
+
+TYPED_TEST(NotFinite, OfASphereNamesIt) {
+  using W = World<TypeParam>;
+  const auto numbers = numbers_of_a_sphere<TypeParam>();
   for (const auto& [name, put] : numbers) {
     for (const double wrong : kWrong) {
       const auto here = [&](W& w) { put(w, row_of(w, kSphere), wrong); };
@@ -214,10 +222,10 @@ TYPED_TEST(NotFinite, OfASphereNamesIt) {
   }
 }
 
-TYPED_TEST(NotFinite, OfAPolyhedronNamesIt) {
-  using W = World<TypeParam>;
-  using Number = std::pair<const char*, std::function<void(W&, std::size_t, double)>>;
-  std::vector<Number> numbers;
+template <class Real>
+std::vector<Number<Real>> numbers_of_a_polyhedron() {
+  using W = World<Real>;
+  std::vector<Number<Real>> numbers;
   const auto every = [&](const char* name, auto column) {
     numbers.push_back({name, [column](W& w, std::size_t k, double x) {
                          auto& c = w.polyhedra.*column;
@@ -225,16 +233,50 @@ TYPED_TEST(NotFinite, OfAPolyhedronNamesIt) {
                        }});
   };
 #define QUERN_COLUMN(type, name, unit, doc) \
-  if constexpr (std::is_floating_point_v<type>) every(#name, &Polyhedra<TypeParam>::name);
+  if constexpr (std::is_floating_point_v<type>) every(#name, &Polyhedra<Real>::name);
   QUERN_POLYHEDRON_FIELDS(QUERN_COLUMN)
 #undef QUERN_COLUMN
   EXPECT_EQ(numbers.size(), 33u);
+  return numbers;
+}
+
+TYPED_TEST(NotFinite, OfAPolyhedronNamesIt) {
+  using W = World<TypeParam>;
+  const auto numbers = numbers_of_a_polyhedron<TypeParam>();
   for (const auto& [name, put] : numbers) {
     for (const double wrong : kWrong) {
       const auto here = [&](W& w) { put(w, kBody, wrong); };
       this->expect_caught(name, 24 + kBody, here);
     }
   }
+}
+
+// Nobody reads what they have for partners.
+TYPED_TEST(NotFinite, OfWhoTouchesNobodyNamesIt) {
+  Scene scene = small_scene(Law(), 1e-5);
+  add_plane(scene, Vec3::Zero(), Vec3::UnitZ());
+  for (int k = 0; k < 3; ++k) add_sphere(scene, 0.1, {0.5 * k, 0, 1});
+  scene.folder = QUERN_SOURCE_DIR "/apps/shapes";
+  ParticleSpec rocks = scene.particles[0];
+  rocks.name = "rock";
+  rocks.shape = ShapeKind::kPolyhedron;
+  rocks.meshes = {"ore12.stl"};
+  for (ExplicitParticle& p : rocks.explicit_particles) p.position.y() = 1;
+  scene.particles.push_back(rocks);
+  const auto expect_caught = [&](const Number<TypeParam>& number, std::size_t k, Index id) {
+    for (const double wrong : kWrong) {
+      World<TypeParam> world = world_of<TypeParam>(scene);
+      Stepper<TypeParam> stepper(world, 1);
+      ASSERT_EQ(stepper.step().bits & kFatalBits, 0u);
+      number.second(world, k, wrong);
+      const StepReport report = stepper.step();
+      EXPECT_NE(report.bits & kNotFinite, 0u) << number.first;
+      EXPECT_EQ(report.first.id, id) << number.first;
+    }
+  };
+  const std::size_t sphere = row_of(world_of<TypeParam>(scene), 1);
+  for (const auto& number : numbers_of_a_sphere<TypeParam>()) expect_caught(number, sphere, 1);
+  for (const auto& number : numbers_of_a_polyhedron<TypeParam>()) expect_caught(number, 1, 4);
 }
 
 TYPED_TEST(NotFinite, OfWhatAPairOfSpheresRemembersNamesBoth) {
